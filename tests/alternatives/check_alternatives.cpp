@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Checks that a correct solution that computes differently from the reference gets every point.
-// Prints each alternative with its points, and the failures of one that lost some. A solution of
-// topic `contact` also runs with each solution of `collision`, whose formulas it calls.
+// Prints each alternative with its points, and the failures of those that lost points. A solution
+// for topic `contact` also runs with each solution of `collision`, whose formulas it calls.
 //
 //     check_alternatives [--seeds N] [--compiled] [--topic TOPIC]... [NAME]...
 //
-// Without a name or topic it checks all. N is the number of first seeds. With --compiled it checks
-// each one as both compilers made it at -O0, -O2 and -O3, which the target `compiled_alternatives`
-// builds.
+// Without a name or topic it checks all. N is the number of runs, each with another first seed.
+// With --compiled it checks six builds of each, by g++ and clang++ at -O0, -O2 and -O3, which the
+// target `compiled_alternatives` makes.
 #include "formulas/table.hpp"
 #include "grading/run_tests.hpp"
 #include "grading/selection.hpp"
@@ -128,7 +128,7 @@ Wanted wanted_of(const std::vector<std::string>& arguments)
     return wanted;
 }
 
-// Those that have one of the names or topics, all if there is neither.
+// The alternatives with one of the names or topics; all of them if none is given.
 std::vector<Alternative> select(const std::vector<Alternative>& all, const Wanted& wanted)
 {
     if (wanted.names.empty() && wanted.topics.empty()) return all;
@@ -147,7 +147,7 @@ std::vector<Alternative> select(const std::vector<Alternative>& all, const Wante
     return selected;
 }
 
-// Each alternative by each compiler and level.
+// Each alternative in the builds of both compilers at each level of optimization.
 std::vector<Alternative> as_compiled(const std::vector<Alternative>& alternatives)
 {
     std::vector<Alternative> result;
@@ -169,7 +169,7 @@ int run(const Wanted& wanted)
             GradingRun grading;
             grading.test_program = RIGOR_GRADED_TESTS;
             grading.oracle = RIGOR_ORACLE;
-            grading.seed = 1000 * i; // no property draws as many cases
+            grading.seed = 1000 * i; // no property draws 1000 cases
             judge(each, assignments, grading);
         }
     });

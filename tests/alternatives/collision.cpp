@@ -11,7 +11,7 @@ namespace rigor {
 
 namespace {
 
-// A point in the grid: its cell and its place in the cell, clamped to the grid's box.
+// A point, clamped to the grid's box: its cell, and its place t in the cell, 0 … 1 along each axis.
 struct Place {
     int cell[3];
     double t[3];

@@ -25,7 +25,7 @@ double dot(const Vector3d& a, const Vector3d& b)
     return std::fma(a.x(), b.x(), std::fma(a.y(), b.y(), a.z() * b.z()));
 }
 
-// Coordinates on the grid, moved to the nearest point of its box: the cell and the place in it.
+// The nearest point of the grid's box: its cell, and its place in the cell, 0 … 1 along each axis.
 struct Place {
     std::array<std::size_t, 3> cell;
     std::array<double, 3> t;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A sum over entries for nᵀ K n, an LU decomposition with full pivots, sums in another order.
-// K comes from r (I⁻¹ r) products of the cross-product matrix with its sign moved.
+// K is δ/M - r* (I⁻¹ r*) with r = x - X, since the transpose of r* is -r*.
 #include "formulas/collision.hpp"
 
 #include <cmath>

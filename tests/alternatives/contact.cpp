@@ -27,7 +27,8 @@ void push(std::vector<Body>& bodies, const BodyContact& c, const Vector3d& j)
     bodies[c.body1] = apply_impulse(bodies[c.body1], c.point, j);
 }
 
-// Strongly connected components (Tarjan 1972) and their levels, each after all that it leads to.
+// Strongly connected components (Tarjan 1972) and their levels. A component is closed after all
+// those that its edges lead to.
 class Components {
 public:
     Components(const std::vector<std::vector<int>>& edges, const std::vector<bool>& is_static)
@@ -159,7 +160,7 @@ ContactResult resolve_simultaneously(const std::vector<Body>& bodies,
             Vector3d& j = result.impulses[i];
             Vector3d j_new = c.impulse; // the guess is applied before the first sweep
             if (sweep > 0) {
-                // P = δ - n nᵀ projects across n, and λ is the largest eigenvalue of P K P
+                // P = δ - n nᵀ removes the part along n; λ is the largest eigenvalue of P K P
                 const Vector3d& n = c.normal;
                 const Matrix3d K = softness(body1, body2, c.point);
                 const Matrix3d P = Matrix3d::Identity() - n * n.transpose();

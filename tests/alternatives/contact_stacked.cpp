@@ -101,7 +101,7 @@ private:
     std::vector<bool> is_held_;
 };
 
-// The contacts by (-depth, place in the list).
+// The contacts in the order of their visits, as (-depth, index).
 using Order = std::set<std::pair<double, std::size_t>>;
 
 void visit_in_turn(Stacked& all, const std::vector<BodyContact>& contacts, const Order& order,
@@ -141,7 +141,8 @@ ContactResult resolve_contacts(const std::vector<Body>& bodies,
 std::vector<int> contact_levels(const std::vector<std::vector<int>>& rests_on,
                                 const std::vector<bool>& is_static)
 {
-    // Gabow (2000): a path of bodies, and a second one of the borders between its cycles
+    // Gabow (2000): a stack with a path of bodies, and a stack with the places where its cycles
+    // begin
     const std::size_t count = rests_on.size();
     std::vector<int> levels(count, -1), place(count, -1), path, borders;
     std::vector<std::pair<int, std::size_t>> work; // a body and its next support
@@ -163,7 +164,7 @@ std::vector<int> contact_levels(const std::vector<std::vector<int>>& rests_on,
                         borders.pop_back();
                 continue;
             }
-            if (borders.back() == place[body]) { // the bodies above are one cycle
+            if (borders.back() == place[body]) { // from here to its end the path is one cycle
                 const std::vector<int> cycle(path.begin() + borders.back(), path.end());
                 path.resize(static_cast<std::size_t>(borders.back()));
                 borders.pop_back();
@@ -214,7 +215,7 @@ ContactResult resolve_simultaneously(const std::vector<Body>& bodies,
             const Vector3d n = contact.normal, v = all.velocity(c), old = all.impulse(c);
             const Matrix3d K = all.stiffness(c);
 
-            // the eigenvalues of K across n are m ± |A - m P| / √2, where m is their mean
+            // the eigenvalues of K perpendicular to n are m ± ‖A - m P‖ / √2, where m is their mean
             const Matrix3d P = Matrix3d::Identity() - n * n.transpose(), A = P * K * P;
             const double mean = A.trace() / 2;
             const double lambda = mean + (A - mean * P).norm() / std::sqrt(2.0);

@@ -18,7 +18,7 @@ namespace {
 
 using Tetrahedron = std::array<int, 4>;
 using Face = std::array<int, 3>;
-// pairs of corners, where corner c of tetrahedron t is 4 t + c
+// Pairs of corners, where corner c of tetrahedron t is 4 t + c.
 using Links = std::vector<std::pair<int, int>>;
 
 int corner_of(const Tetrahedron& t, int v)
@@ -57,7 +57,7 @@ std::map<Face, std::vector<int>> sides_of_faces(const std::vector<Tetrahedron>& 
     return sides;
 }
 
-// The largest number that each corner reaches, spread along the links until no label changes.
+// For each corner, the largest number of a corner that links connect with it.
 std::vector<int> spread(std::size_t corners, const Links& links)
 {
     std::vector<int> label(corners);
@@ -73,7 +73,8 @@ std::vector<int> spread(std::size_t corners, const Links& links)
     return label;
 }
 
-// Makes a vertex for each label, the last corner's first. @return the parent of each vertex
+// Makes a vertex for each label, in the order from the last corner to the first.
+// @return the parent of each vertex
 std::vector<int> relabel(std::vector<Tetrahedron>& tetrahedra, const std::vector<int>& label)
 {
     std::map<int, int> number;
@@ -95,10 +96,12 @@ void link(Links& links, int copy1, const Tetrahedron& t1, int copy2, const Tetra
     links.push_back({4 * copy1 + corner_of(t1, v), 4 * copy2 + corner_of(t2, v)});
 }
 
-// Pieces of a tetrahedron above or below a plane. The columns are the barycentric coordinates of
-// the corners.
+// Pieces of a tetrahedron. The columns of a matrix are the barycentric coordinates of the corners
+// that the piece has.
 using Pieces = std::vector<Eigen::Matrix4d>;
 
+// Cuts a piece by a plane, recursively.
+// @param h  the heights of its corners above the plane
 void cut(const Eigen::Matrix4d& piece, Eigen::Vector4d h, Pieces& above, Pieces& below)
 {
     for (int a = 3; a >= 0; --a)

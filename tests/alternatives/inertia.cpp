@@ -22,7 +22,7 @@ Matrix3d inertia_of(const Matrix3d& C)
     return C.trace() * Matrix3d::Identity() - C;
 }
 
-// A solid whose axes are its principal axes, with ∫ ρ dᵢ² dV = M sᵢ.
+// A solid of mass M whose principal axes are x, y and z, with ∫ ρ dᵢ² dV = M sᵢ.
 MassProperties solid(double M, const Vector3d& s)
 {
     return {M, Vector3d::Zero(), inertia_of((M * s).asDiagonal())};
@@ -197,7 +197,7 @@ MassProperties bounding_box_mass_properties(const std::vector<Vector3d>& vertice
 {
     if (vertices.empty() || mass == 0) return {};
 
-    // the eight corners of the box as particles, which are drawn in to 1/√3 of their distance
+    // eight particles, at 1/√3 of the way from the center of the box to its corners
     std::array<std::array<double, 2>, 3> range;
     for (int i = 0; i < 3; ++i) {
         const auto [low, high] =

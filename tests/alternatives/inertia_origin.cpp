@@ -41,7 +41,7 @@ Matrix3d turned(const Matrix3d& R, const Matrix3d& A)
     return sum;
 }
 
-// The inertia of a solid with these second moments per mass along its axes.
+// A solid of mass M whose principal axes are x, y and z, with the second moments M s.
 MassProperties solid(double M, const Vector3d& s)
 {
     const Vector3d I = M * Vector3d(s.y() + s.z(), s.z() + s.x(), s.x() + s.y());
@@ -181,7 +181,7 @@ MassProperties combine(const MassProperties& a, const MassProperties& b)
 {
     if (a.mass == 0 && b.mass == 0) return {};
     if (a.mass == 0 || b.mass == 0) return a.mass == 0 ? b : a;
-    // the reduced mass at the distance of the centers
+    // the reduced mass at the distance between the two centers
     const double M = a.mass + b.mass, mu = a.mass * (b.mass / M);
     const Vector3d d = b.center_of_mass - a.center_of_mass;
     return {M, a.center_of_mass + b.mass / M * d,

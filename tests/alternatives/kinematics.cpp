@@ -105,7 +105,7 @@ MatrixStateRate equations_of_motion(const MatrixState& state, double inverse_mas
 
 Matrix36d velocity_mode_rates(const Vector3d& V, const Vector3d& v)
 {
-    // column i is the acceleration that mode i makes of the particle's motion about X
+    // column 3 + i is the rate of eᵢ × (x - X), the particle's velocity in mode 3 + i
     Matrix36d rates = Matrix36d::Zero();
     for (int i = 0; i < 3; ++i)
         rates.col(3 + i) = Vector3d::Unit(i).cross(v - V);

@@ -79,7 +79,7 @@ Matrix36d velocity_modes(const Vector3d& X, const Vector3d& x)
     Matrix36d S;
     for (int i = 0; i < 3; ++i) {
         S.col(i) = Vector3d::Unit(i);
-        S.col(3 + i) = Vector3d::Unit(i).cross(x - X); // the velocity of x if it turns about axis i
+        S.col(3 + i) = Vector3d::Unit(i).cross(x - X); // the velocity of x in a turn about axis i
     }
     return S;
 }

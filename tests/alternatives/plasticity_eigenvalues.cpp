@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// By principal values, component sums in long double, and the radial return by a scale factor.
+// Differences of entries, component sums in long double, and the radial return by a scale factor.
 #include "formulas/plasticity.hpp"
 
 #include <cmath>
@@ -9,7 +9,8 @@ namespace rigor {
 
 namespace {
 
-// √(3/2) ‖dev A‖ from the differences of the diagonal and the entries beside it
+// √(3/2) ‖dev A‖ from the differences between diagonal entries, and from the entries beside the
+// diagonal.
 double equivalent(const Matrix3d& A)
 {
     long double square = 0;

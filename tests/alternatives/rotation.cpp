@@ -177,7 +177,7 @@ RigidState step_buss(const RigidState& state, const BodyInertia& body, const Wre
     const double h = time_step;
     const Vector3d a = wrench.force * body.inverse_mass;
 
-    // L × ω stands for -ω × L, and the mean is ω + h/2 (ω̇ + h/6 ω̇ × ω)
+    // L × ω stands for -ω × L, and `mean` is Ω = ω + h/2 (ω̇ + h/6 ω̇ × ω)
     const Quaternion& q = state.orientation;
     const Vector3d& L = state.angular_momentum;
     const Vector3d w = by_inverse_inertia(q, body, L);

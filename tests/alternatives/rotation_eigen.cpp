@@ -65,7 +65,7 @@ Matrix3d gram_schmidt(const Matrix3d& R)
     if (A.col(0).isZero(0)) A.col(0) = Vector3d::UnitX();
     A.col(0).normalize();
     const Vector3d a = A.col(0), u = a.unitOrthogonal(), w = a.cross(u);
-    // the second column in a frame of directions perpendicular to the first one
+    // the second column in the frame (u, w), which is perpendicular to the first column
     const double x = u.dot(A.col(1)), y = w.dot(A.col(1)), r = std::hypot(x, y);
     const bool depends = r <= 4 * std::numeric_limits<double>::epsilon() * A.col(1).norm();
     const Vector3d b = depends ? u : Vector3d(x / r * u + y / r * w);

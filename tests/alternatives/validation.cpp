@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Other tests: they compare with the formulas written once more, and with finite differences.
+// Other tests: they compare with the formulas written once more, and with the exact oscillation.
 #include "formulas/validation.hpp"
 
 #include <cmath>

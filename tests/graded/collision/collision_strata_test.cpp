@@ -209,7 +209,7 @@ TEST_CASE("collision: with any restitution friction acts in the cone", "[A4.9][c
                 pair.restitution = restitution;
                 CAPTURE(restitution, friction);
                 const Vector3d j = collision_impulse(pair.K, pair.v, pair.n, restitution, friction);
-                const double inside = margin(pair, friction); // above 0: in the cone
+                const double inside = margin(pair, friction); // above 0: sticks
                 if (inside > 1e-3) {
                     const Vector3d after = -restitution * pair.v.dot(pair.n) * pair.n;
                     sticking += restitution == -1;

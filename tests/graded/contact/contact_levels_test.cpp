@@ -193,8 +193,8 @@ TEST_CASE("contact: levels do not depend on how bodies are numbered", "[A5.3][co
 
 TEST_CASE("contact: a large pile whose bodies rest on few others", "[A5.3][contact]")
 {
-    // Each body rests on up to three bodies with lower indices, often on one of the first four; one
-    // them may be listed again.
+    // Each body rests on up to three bodies with lower indices, often on the first four. The
+    // first of several is listed again at the end.
     for (const int count : {70, 1000, 70'000})
         for (Random random : seeds(3)) {
             CAPTURE(count);

@@ -53,8 +53,8 @@ inline int block_vertex(int nx, int ny, int i, int j, int k)
     return i + (nx + 1) * (j + (ny + 1) * k);
 }
 
-/// nx ny nz unit cubes from the origin on. Each has six tetrahedra around its diagonal from the
-/// lowest corner to the highest (Kuhn 1960).
+/// A block of nx × ny × nz unit cubes whose lowest corner is the origin. Each cube has six
+/// tetrahedra around its diagonal from the lowest corner to the highest (Kuhn 1960).
 inline TetrahedralMesh block(int nx, int ny, int nz)
 {
     TetrahedralMesh mesh;
@@ -64,7 +64,7 @@ inline TetrahedralMesh block(int nx, int ny, int nz)
                 mesh.vertices.push_back(Vector3d(i, j, k));
     const int ways[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     for (int cell = 0; cell < nx * ny * nz; ++cell)
-        for (int way = 0; way < 6; ++way) { // along x, y and z, in one of six orders
+        for (int way = 0; way < 6; ++way) { // steps along x, y and z in one of six orders
             int place[3] = {cell % nx, cell / nx % ny, cell / (nx * ny)};
             Tetrahedron t = {block_vertex(nx, ny, place[0], place[1], place[2])};
             for (int corner = 1; corner < 4; ++corner) {
@@ -158,11 +158,11 @@ struct Placed : Renumbered {
     {
         return {tetrahedron[made.tetrahedron], point(made.point), R * made.normal};
     }
-    // where the corner of a tetrahedron that had the vertex v is
+    // the place, in tetrahedron t of the solid as it was made, of the corner that had the vertex v
     int corner(int t, int v) const { return corner_of(mesh.tetrahedra[tetrahedron[t]], vertex[v]); }
 };
 
-/// Checks a law of a solid as it was made, and elsewhere.
+/// Checks a law for a solid as it was made, and for it placed elsewhere.
 template <class Check> void everywhere(const TetrahedralMesh& made, Check check)
 {
     check(Placed(made));
@@ -178,7 +178,7 @@ inline std::array<int, 3> face_vertices(const Tetrahedron& t, int face)
     return result;
 }
 
-/// All faces for whose three vertices is_there(x) is true.
+/// All faces for whose three vertices is_there(x) is true, given from each of their sides.
 template <class IsThere>
 std::vector<MeshFace> faces_where(const TetrahedralMesh& mesh, IsThere is_there)
 {

@@ -35,7 +35,8 @@ Heights heights(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
     return result;
 }
 
-// Checks that there is one new vertex wherever an edge of the vertex's tetrahedra meets the plane.
+// Checks that new vertices lie on exactly those edges of the vertex's tetrahedra that the plane
+// cuts, and at the right place on them.
 void check_new_vertices(const TetrahedralMesh& mesh, const SplitMesh& result, int vertex,
                         const Vector3d& n)
 {
@@ -143,8 +144,8 @@ TEST_CASE("fracture: a plane through two vertices halves a tetrahedron", "[A7.6]
 
 TEST_CASE("fracture: a plane through one vertex cuts off a corner", "[A7.6][fracture]")
 {
-    // The plane 2x = y + z cuts the edges from 1 to 2 and from 1 to 3 at a third of their length
-    // from their other end.
+    // The plane 2x = y + z cuts the edges from 1 to 2 and from 1 to 3 at two thirds of their length
+    // from vertex 1.
     everywhere(unit_tetrahedron(), [](const Placed& at) {
         const SplitMesh result =
             split(at.mesh, at.vertex[0], at.R * Vector3d(2, -1, -1).normalized());
@@ -188,7 +189,7 @@ TEST_CASE("fracture: a plane beside all tetrahedra of the vertex changes nothing
         check_unchanged(block(2, 2, 2), 0, sign * Vector3d(1, 2, 2) / 3);
         check_unchanged(block(2, 2, 2), block_vertex(2, 2, 1, 1, 2), sign * Vector3d::UnitZ());
     }
-    // the vertex is below the plane by less than 0.05 of the longest edge
+    // vertex 3 is below the plane by less than 0.05 of the longest edge
     check_unchanged(unit_tetrahedron(), 0, Vector3d(1, 1, -0.06).normalized());
 }
 

@@ -22,7 +22,7 @@ TetrahedralMesh ring_around_edge(int n)
     return mesh;
 }
 
-// The mesh behind `count` vertices that no tetrahedron uses.
+// The mesh with its vertices listed behind `count` vertices that no tetrahedron uses.
 TetrahedralMesh behind_unused(const TetrahedralMesh& mesh, int count)
 {
     TetrahedralMesh result;
@@ -33,7 +33,7 @@ TetrahedralMesh behind_unused(const TetrahedralMesh& mesh, int count)
     return result;
 }
 
-constexpr int many = 70'000;
+constexpr int many = 70'000; // more than indices of 16 bits can number
 
 } // namespace
 
@@ -154,8 +154,9 @@ TEST_CASE("fracture: any number of cracks beside an element changes nothing", "[
 
 TEST_CASE("fracture: two cracks in one plane with opposite normals", "[A7.7][fracture]")
 {
-    // The corners 0 and 3 lie in the plane x = y, so they are on the side of either normal. The
-    // second crack finds no matter on its side, and so leaves these corners without a share.
+    // The corners 0 and 3 lie in the plane x = y, so they are on the side of either normal. After
+    // the first crack, their part has no matter on the side of the second normal. So the second
+    // crack leaves these corners without a share.
     const Vector3d n = Vector3d(1, -1, 0).normalized(), zero = Vector3d::Zero();
     for (const double sign : {1.0, -1.0}) {
         const EmbeddedMesh result =
@@ -233,7 +234,7 @@ TEST_CASE("fracture: the closest face of tiny and of huge tetrahedra", "[A7.4][f
         std::array<Vector3d, 4> corners = corners_of(unit_tetrahedron(), 0);
         for (Vector3d& x : corners)
             x *= std::ldexp(1, power);
-        for (int axis = 0; axis < 3; ++axis) // the face opposite to corner 1 + axis is x = 0
+        for (int axis = 0; axis < 3; ++axis) // face 1 + axis is perpendicular to the axis
             REQUIRE_THAT(closest_face(corners, Vector3d::Unit(axis)), IsExactly(1 + axis));
         REQUIRE_THAT(closest_face(corners, Vector3d(1, 1, 1).normalized()), IsExactly(0));
     }

@@ -37,7 +37,7 @@ void check_unchanged(const TetrahedralMesh& mesh, const Faces& faces)
     check_same_vertices(result.mesh.tetrahedra, mesh.tetrahedra);
 }
 
-// Random faces: each is taken with the probability `chance`, and named from a random side.
+// Random faces: each face is taken from each of its sides with the probability `chance`.
 Faces random_faces(const TetrahedralMesh& mesh, Random& random, double chance)
 {
     Faces result;
@@ -64,8 +64,8 @@ Faces moved(const Faces& faces, const TetrahedralMesh& mesh, const Placed& at)
     return result;
 }
 
-// Checks that both sides of a face that holds have the same vertices. No other corners have one in
-// common, so there are as many vertices as groups of corners that faces hold together.
+// Checks that both sides of a face that holds have the same vertices. No other corners share a
+// vertex, so there are as many vertices as groups of corners that faces hold together.
 void check_definition(const TetrahedralMesh& mesh, const Faces& faces, const SplitMesh& result)
 {
     std::set<std::array<int, 3>> cut;
@@ -141,7 +141,7 @@ TEST_CASE("fracture: a bar is cut across", "[A7.5][fracture]")
         check_split(at.mesh, result);
     });
 
-    // a cut in steps: what is on the plane of one step but not in the cut holds
+    // a cut in steps: faces on the plane of one step that are not in the cut hold
     const TetrahedralMesh wide = block(3, 2, 1);
     const auto lower = [](const Vector3d& x) { return x.x() == 1 && x.y() <= 1; };
     const auto middle = [](const Vector3d& x) { return x.y() == 1 && x.x() >= 1 && x.x() <= 2; };
@@ -281,7 +281,7 @@ TEST_CASE("fracture: cutting again changes nothing", "[A7.5][fracture][property]
 
 TEST_CASE("fracture: a face that stayed closed is no crack the next time", "[A7.5][fracture]")
 {
-    // the two faces across a bar are named one after the other, and then both at once
+    // the mesh splits along one of the two faces across a bar, and then along the other
     const TetrahedralMesh bar = block(2, 1, 1);
     const Faces across = faces_where(bar, [](const Vector3d& x) { return x.x() == 1; });
     check_count(across.size(), 4, "sides of the two faces across the bar");
@@ -292,7 +292,8 @@ TEST_CASE("fracture: a face that stayed closed is no crack the next time", "[A7.
              ? first
              : second)
             .push_back(face);
-    // each face has one vertex of its own; the diagonal holds until both faces are open
+    // each face has one vertex that the other has not; the diagonal that both share stays closed
+    // until both are open
     const SplitMesh once = split(bar, first);
     check_count(vertex_count(once.mesh), vertex_count(bar) + 1, "vertices");
     const SplitMesh twice = split(once.mesh, second);

@@ -29,7 +29,9 @@ constexpr int index_counts[] = {narrow, wide, 1 << 20};
 
 // Pairs of tetrahedra with faces, edges or vertices that become one if an index is kept modulo B,
 // or if indices are added up with a factor B between them: (a, b + B, c) and (a + 1, b, c), the
-// other way round (a + B, b, c) and (a, b + 1, c), and so on.
+// other way round (a + B, b, c) and (a, b + 1, c), and so on. A comment below names the face or
+// edge for which one of its tetrahedron may be taken; up to multiples of B, the next tetrahedron
+// has it.
 TetrahedralMesh with_similar_indices(int B)
 {
     constexpr int a = 10, b = a + 20, c = a + 40, d = a + 60;
@@ -96,7 +98,7 @@ TEST_CASE("fracture: any number of faces cuts a bar into cubes", "[A7.5][fractur
                 for (const MeshFace& face : across)
                     if (face.tetrahedron / 6 == x - 1) faces.push_back(face); // from the left
             }
-            if (is_odd) faces.insert(faces.begin(), {0, 0}); // whatever face it is, beside the cut
+            if (is_odd) faces.insert(faces.begin(), {0, 0}); // again a face of the first cut
             if (is_odd && n == 1) continue;
             const SplitMesh result = split_along_faces(bar, faces);
             check_count(piece_count(result.mesh), n, "pieces");

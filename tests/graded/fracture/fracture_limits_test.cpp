@@ -60,7 +60,7 @@ TEST_CASE("fracture: the nearest face of flat and of tiny tetrahedra", "[A7.4][f
         for (const double size : {1e-6, 1.0, 1e6})
             for (const double height : {1e-3, 1e-6, 1e-9}) {
                 CAPTURE(size, height);
-                // faces 1, 2 and 3 are across x, y and z; face 0 is nearly along x
+                // faces 1, 2 and 3 are perpendicular to x, y and z; face 0 is nearly parallel to x
                 const std::array<Vector3d, 4> flat = {
                     size * R * Vector3d(0, 0, 0), size * R * Vector3d(1, 0, 0),
                     size * R * Vector3d(0, height, 0), size * R * Vector3d(0, 0, height)};

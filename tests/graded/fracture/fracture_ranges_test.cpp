@@ -15,9 +15,9 @@ Matrix3d turned_stress(const Matrix3d& R, const Vector3d& principal)
     return (stress + stress.transpose()) / 2;
 }
 
-constexpr double h = 1.0 / 64; // a height less than 0.05, and a power of two
+constexpr double h = 1.0 / 64; // [m], less than 0.05 of an edge, and a power of two
 
-// A flat tetrahedron on the plane z = 0 with the heights 0, 0, h and -h, whose center is exactly on
+// A flat tetrahedron on the plane z = 0 with the heights 0, -h, h and 0, whose center is exactly on
 // the plane. A second one is on its face above, up to vertex 4, and a third below, down to vertex
 // 5.
 TetrahedralMesh between_two()
@@ -49,7 +49,7 @@ void check_unused(const TetrahedralMesh& mesh, int count)
             check_that(mesh.vertices[v] != far_away, "no tetrahedron has the unused vertex");
 }
 
-// Checks that no tetrahedron is inverted, which is a mistake in the test.
+// Checks that no tetrahedron is inverted, which would be a mistake in the test.
 void require_positive(const TetrahedralMesh& mesh)
 {
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
@@ -93,7 +93,8 @@ TEST_CASE("fracture: a threshold next to the stress decides", "[A7.3][fracture]"
 
 TEST_CASE("fracture: of faces that are nearly equally near the nearer one", "[A7.4][fracture]")
 {
-    // faces 1 and 2 are across x and y; face 0 looks along z, because the tetrahedron is flat
+    // faces 1 and 2 have the normals x and y; that of face 0 is nearly z, since the tetrahedron is
+    // flat
     for (Random random : seeds(10)) {
         const Matrix3d R = random.rotation();
         const std::array<Vector3d, 4> flat = {R * Vector3d(0, 0, 0), R * Vector3d(1, 0, 0),
@@ -153,7 +154,7 @@ TEST_CASE("fracture: a flat tetrahedron alone does not split", "[A7.6][fracture]
 
 TEST_CASE("fracture: a new vertex near the end of its edge is on the plane", "[A7.6][fracture]")
 {
-    // the longest edge is 1.16 m, so the height of 0.06 m is just not on the plane
+    // the longest edge is 1.16 m, so vertex 1 at 0.06 m just does not count as on the plane
     const TetrahedralMesh mesh = {{{0, 0, 0}, {0.5, 0, 0.06}, {0.5, 0.3, -1}, {0.1, 0.5, -0.5}},
                                   {{0, 1, 2, 3}}};
     require_positive(mesh);

@@ -50,7 +50,8 @@ void check_pieces(const Trajectory& run, std::size_t index, std::size_t least, s
     check_at_most(static_cast<double>(before), static_cast<double>(most), pieces, 0);
 }
 
-// A side of a solid: its share of the volume, and the first range of its elements along x [m].
+// A piece of a solid: its share of the volume, and the range of the centers of its elements along x
+// at the start [m].
 struct Side {
     double share = 0, from = 1e9, to = -1e9;
 };
@@ -99,7 +100,7 @@ std::vector<Side> sides_by_share(const Trajectory& run, std::size_t index)
     return sorted;
 }
 
-// The two largest of these pieces, from left to right.
+// The two largest pieces of a solid, from left to right.
 std::array<Side, 2> sides_of(const Trajectory& run, std::size_t index)
 {
     std::vector<Side> sorted = sides_by_share(run, index);
@@ -140,7 +141,8 @@ TEST_CASE("fracture: a bar snaps at its nick", "[A7.8][fracture]")
 
 TEST_CASE("fracture: a plate holds below its strength", "[A7.8][fracture]")
 {
-    // class B: the plate bears 3 %, and is pulled by less than 1 % here and by 12 % above
+    // class B: the plate bears a strain of 3 %. It is stretched by less than 1 % here, and by 12 %
+    // in the first test.
     const Trajectory run = run_scene("a7-fracture/notched_plate", {}, R"({"end": 0.04})");
     check_matter(run);
     check_pieces(run, 0, 1, 1);
@@ -169,7 +171,7 @@ TEST_CASE("fracture: what flies apart keeps momentum and angular momentum", "[A7
 
 TEST_CASE("fracture: a ball shatters a plate", "[A7.8][fracture]")
 {
-    // the number of pieces is chance
+    // the number of pieces depends on chance
     const Trajectory run = run_scene("a7-fracture/shattered", {}, R"({"end": 0.08})");
     check_matter(run);
     check_pieces(run, 0, 5, 250);

@@ -15,7 +15,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// A tetrahedron with its corners in the n-th of the orders that do not invert it.
+// A tetrahedron with its corners in number n of the twelve orders that do not invert it.
 Tetrahedron reordered(const Tetrahedron& t, int n)
 {
     std::array<int, 4> order = {0, 1, 2, 3};
@@ -29,8 +29,8 @@ Tetrahedron reordered(const Tetrahedron& t, int n)
     }
 }
 
-// The tetrahedra with positive volume, the first of them with its corners in order n, somewhere in
-// space.
+// The mesh moved by `offset`, with positive volumes, and with the corners of its first tetrahedron
+// in order n.
 TetrahedralMesh placed(TetrahedralMesh mesh, int n, const Vector3d& offset)
 {
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
@@ -104,10 +104,10 @@ TEST_CASE("fracture: a center as near to the plane as can be told decides", "[A7
 
 namespace {
 
-// An edge from y = -1 to y = 1 with a wedge of a tetrahedron at some of n angles around it, and a
-// ring of tetrahedra around each of its ends, up to y = 2 and down to y = -2. Vertex 4 + i is at
-// angle i. The tetrahedra of each vertex that has a wedge are connected through faces, but wedges
-// may have nothing but the edge in common.
+// An edge from y = -1 to y = 1 with wedges, which are tetrahedra, at some of n angles around it,
+// and a ring of tetrahedra around each of its ends, up to y = 2 and down to y = -2. Vertex 4 + i is
+// at angle number i. Around each vertex of a wedge all tetrahedra are connected through faces, but
+// two wedges may have nothing but the edge in common.
 TetrahedralMesh wedges_around_edge(int n, const std::vector<int>& wedges)
 {
     TetrahedralMesh mesh = {{{0, 1, 0}, {0, -1, 0}, {0, 2, 0}, {0, -2, 0}}, {}};

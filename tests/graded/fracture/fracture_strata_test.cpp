@@ -29,7 +29,7 @@ TEST_CASE("fracture: an element may have any number of neighbours", "[A7.1][frac
 
 TEST_CASE("fracture: each entry among the neighbours counts", "[A7.1][fracture]")
 {
-    // entries that repeat others or the element itself are as good as equal elements
+    // entries that repeat others or the element itself count like further elements
     for (Random random : seeds(30)) {
         std::vector<Matrix3d> stresses;
         std::vector<double> volumes;
@@ -84,7 +84,8 @@ TEST_CASE("fracture: the stress of every element of many is smoothed", "[A7.1][f
 
 TEST_CASE("fracture: elements after one without volume are smoothed too", "[A7.1][fracture]")
 {
-    // a row of six elements, of which one has no volume and no neighbours; the others are in pairs
+    // Six elements in pairs of neighbours, but the element `empty` and its partner are no
+    // neighbours, and `empty` has no volume.
     for (std::size_t empty : {0, 2, 4}) {
         CAPTURE(empty);
         std::vector<Matrix3d> stresses(6, Matrix3d::Zero());
@@ -159,7 +160,7 @@ TEST_CASE("fracture: the longest edge of all tetrahedra of the vertex decides", 
 
 TEST_CASE("fracture: a plane that is hardly tilted cuts where it is", "[A7.6][fracture]")
 {
-    // A plane that passes all vertices closely cuts nothing; that all planes do is out of question.
+    // A plane that passes close to all vertices cuts no edge, but not all planes do so.
     int cuts = 0;
     for (Random random : seeds(2)) {
         TetrahedralMesh mesh = jiggled(block(2, 2, 2), random);

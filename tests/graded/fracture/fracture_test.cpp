@@ -75,7 +75,8 @@ TEST_CASE("fracture: an element without neighbours keeps its stress", "[A7.1][fr
 TEST_CASE("fracture: a neighbour counts as often as it is named", "[A7.1][fracture]")
 {
     const Matrix3d A = tridiagonal, B = Matrix3d::Ones();
-    // 1 and 2 m³; the first names the second twice, and the second itself
+    // The elements have 1 and 2 m³. The first names the second twice, and the second names the
+    // first and itself.
     const std::vector<Matrix3d> smooth = smooth_stress({A, B}, {{1, 1}, {0, 1}}, {1, 2});
     const std::vector<Matrix3d> expected = {(A + 4 * B) / 5, (A + 4 * B) / 5};
     REQUIRE_THAT(smooth, IsClose(expected, Rounding(8, 5)));

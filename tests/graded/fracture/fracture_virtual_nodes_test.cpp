@@ -7,7 +7,7 @@ namespace rigor::testing {
 
 namespace {
 
-// The share of a tetrahedron's volume that is above a plane, by what a crack along it makes.
+// The share of a tetrahedron's volume that is above a plane, computed by a crack along the plane.
 double share_above(const std::array<Vector3d, 4>& x, const Vector3d& point, const Vector3d& normal)
 {
     TetrahedralMesh mesh = unit_tetrahedron();
@@ -139,9 +139,9 @@ TEST_CASE("fracture: a corner on the plane is on the side of the normal", "[A7.7
 
 TEST_CASE("fracture: of two cracks the second ends at the first", "[A7.7][fracture]")
 {
-    // Corner 0 is alone, corner 1 is alone, and 2 and 3 are left. The planes x + y + z = c and
-    // x = b cross inside. The share (c - b)³ between them goes to the corner that the first crack
-    // parts.
+    // One crack separates corner 0, the other one corner 1, and 2 and 3 stay together. The planes
+    // x + y + z = c and x = b cross inside. The share (c - b)³ that both cut off goes to the corner
+    // that the first crack separates.
     const auto check = [](const Placed& at, double c, double b) {
         CAPTURE(c, b);
         const ElementCrack first = corner_cut(0, c), second = {0, {b, 0, 0}, {1, 0, 0}};
@@ -222,8 +222,8 @@ TEST_CASE("fracture: a crack through both of two tetrahedra parts them", "[A7.7]
             embedded(at.mesh, plane_through(at.mesh, at.point({x, 0, 0}), at.R.col(0)));
         check_count(vertex_count(result.mesh), 2 * 5, "vertices");
         check_count(piece_count(result.mesh), 2, "pieces");
-        // The first, of 1/6 m³, loses (1 - x)³ of itself. The second, of 1/3 m³ between x = 0 and
-        // 1, has 3 x² - 2 x³ of itself, a half at x = 0.5, on the lower side.
+        // The first tetrahedron, of 1/6 m³, loses (1 - x)³ of itself. The second, of 1/3 m³ between
+        // x = 0 and 1, has 3 x² - 2 x³ of itself, a half at x = 0.5, on the lower side.
         const double cube = std::pow(at.length, 3), lost = std::pow(1 - x, 3);
         const double lower = 3 * x * x - 2 * x * x * x;
         check_piece_matter(at.mesh, result,
@@ -274,14 +274,14 @@ TEST_CASE("fracture: both parts of a tetrahedron have its matter above a plane",
         std::array<Vector3d, 4> x = corners_of(unit_tetrahedron(), 0);
         for (Vector3d& corner : x)
             corner += 0.2 * random.vector();
-        // cut in two at a place within an edge
+        // the tetrahedron is cut in two at a point of the edge between corners 1 and 2
         const double t = random.uniform(0.2, 0.8);
         const Vector3d on_edge = (1 - t) * x[1] + t * x[2];
         const std::array<Vector3d, 4> half = {x[0], x[1], on_edge, x[3]};
         const std::array<Vector3d, 4> other = {x[0], on_edge, x[2], x[3]};
         const Vector3d n = random.unit_vector();
         const Vector3d point = (x[0] + x[1] + x[2] + x[3]) / 4 + 0.15 * random.vector();
-        // Differences of heights may stand below a fraction line.
+        // The formula for a share may divide by differences of heights.
         const double d = least_difference({x[0], x[1], x[2], x[3], on_edge}, n);
         if (d < 0.03) continue;
         ++tried;

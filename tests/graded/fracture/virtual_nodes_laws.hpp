@@ -13,13 +13,13 @@ using Cracks = std::vector<ElementCrack>;
 
 inline const Vector3d diagonal = Vector3d(1, 1, 1).normalized();
 
-// A crack along the plane x + y + z = c.
+// A crack along the plane x + y + z = c, with its normal away from the origin if `sign` is 1.
 inline ElementCrack corner_cut(int tetrahedron, double c, double sign = 1)
 {
     return {tetrahedron, Vector3d(0, c, 0), sign * diagonal};
 }
 
-// The same plane through every tetrahedron for whose center `is_cracked` is true.
+// Cracks along one plane through every tetrahedron for whose center `is_cracked` is true.
 template <class IsCracked>
 Cracks plane_through(const TetrahedralMesh& mesh, const Vector3d& point, const Vector3d& normal,
                      IsCracked is_cracked)
@@ -82,8 +82,8 @@ inline void check_copies(const TetrahedralMesh& mesh, const Cracks& cracks,
 }
 
 // Checks which corners of copies are one vertex. A face joins two copies if one of its corners is
-// real in both: then all three are the same vertices. No others are, so there are as many vertices
-// as groups of corners that are joined.
+// real in both: then all three corners are the same vertices in both. No other corners share a
+// vertex, so there are as many vertices as groups of corners that are joined.
 inline void check_vertices(const TetrahedralMesh& mesh, const EmbeddedMesh& result)
 {
     std::vector<std::vector<int>> copies(mesh.tetrahedra.size());

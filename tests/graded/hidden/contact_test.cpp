@@ -7,7 +7,7 @@ using namespace rigor::testing;
 TEST_CASE("contact: every step of a seesaw resolved one at a time is the reference's step",
           "[A5.7][contact][hidden]")
 {
-    // not a stack, whose points are equally deep, so that rounding decides which comes first
+    // not a stack, where points are equally deep, so that rounding would decide which comes first
     check_every_step("a5-contact/seesaw", R"({"contact": "one_at_a_time", "end": 1})");
 }
 

@@ -4,8 +4,8 @@
 
 using namespace rigor::testing;
 
-// Every step solves a linear system to 1e-7 of its change. This and rounding bound the difference
-// between two correct runs.
+// Every step solves a linear system by conjugate gradients, down to a relative residual of 1e-7.
+// This and rounding bound the difference between two correct runs.
 TEST_CASE("plasticity: the stretched bar moves as the reference's", "[A6.10][plasticity][hidden]")
 {
     check_solids("a6-plasticity/stretched_bar", 1e7);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A8.6: wrong formulas that students do not see. They are wrong by less, or for fewer arguments,
-// than the ones they see. No clue is given.
+// than those that students see. No clue is given.
 #include "graded/validation/judge.hpp"
 #include "support/catch.hpp"
 

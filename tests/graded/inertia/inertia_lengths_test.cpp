@@ -15,11 +15,11 @@ using namespace rigor::testing;
 
 namespace {
 
-// The beads and their mass properties.
+// The beads of lengths.hpp and their mass properties.
 struct Beads {
     std::vector<Particle> particles;
     MassProperties all;
-    double size = 0; // Σ m x², the scale of rounding
+    double size = 0; // Σ m x², the scale of rounding [kg m²]
 
     explicit Beads(int n) : particles(beads(n))
     {
@@ -109,7 +109,8 @@ TEST_CASE("inertia: a mesh with any number of triangles", "[A2.13][inertia]")
         const double terms = 64 + 2.0 * n;
         REQUIRE_THAT(found.mass, IsClose(2 * area, Rounding(terms, 16)));
         REQUIRE_THAT(found.center_of_mass, IsClose(center, Rounding(terms, 16)));
-        // ∫ r² dA of the polygon is area (2 + cos angle)/6; the sections shrink towards the tips
+        // ∫ r² dA of the polygon is area · (2 + cos angle)/6. The sections shrink towards the tips,
+        // which gives the factor 2/5.
         const double along = 3 * 2 / 5.0 * area * (2 + std::cos(angle)) / 6;
         REQUIRE_THAT(found.inertia(2, 2), IsClose(along, Rounding(terms, 32)));
         REQUIRE_THAT(found.inertia(0, 1), IsClose(0.0, Rounding(terms, 32)));
@@ -118,8 +119,9 @@ TEST_CASE("inertia: a mesh with any number of triangles", "[A2.13][inertia]")
 
 TEST_CASE("inertia: a mesh whose indices need many bits", "[A2.13][inertia]")
 {
-    // A tetrahedron whose vertices have the same last 8 bits, two and two the same 16. The tip of a
-    // sum of tetrahedra may be at any of the vertices, so distances are up to 2.
+    // A tetrahedron whose vertices have indices with the same last 8 bits, two pairs of them with
+    // the same last 16. A solution may sum tetrahedra with a common tip at any vertex of the mesh,
+    // so distances are up to 2 m.
     for (const int first : {5, 250}) {
         CAPTURE(first);
         TriangleMesh mesh;

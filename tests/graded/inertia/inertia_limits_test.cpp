@@ -70,7 +70,7 @@ TEST_CASE("inertia: a light part far away counts", "[A2.14][inertia]")
 {
     for (Random random : seeds(20))
         for (const double ratio : {1e-3, 1e-6, 1e-9, 1e-12}) {
-            // reduced mass m M/(m + M) at the distance d, with m d² = 1 kg m²
+            // the reduced mass m M/(m + M) at the distance d adds its inertia; here m d² = 1 kg m²
             CAPTURE(ratio);
             const double d = 1 / std::sqrt(ratio), reduced = ratio / (1 + ratio);
             const Vector3d at = d * random.unit_vector();
@@ -89,7 +89,8 @@ TEST_CASE("inertia: a light part far away counts", "[A2.14][inertia]")
 
 TEST_CASE("inertia: a part of the union may have negative mass", "[A2.14][inertia]")
 {
-    // such as a hole. With the reduced mass m₁ m₂/(m₁ + m₂) at the distance d of the two
+    // A hole is such a part. The reduced mass m₁ m₂/(m₁ + m₂) at the distance d between the two
+    // centers adds its inertia.
     for (Random random : seeds(20))
         for (const double first : {1.0, -1.0})
             for (const double second : {2.0, 0.5, -0.5, -2.0}) {

@@ -110,8 +110,8 @@ TriangleMesh moved(TriangleMesh mesh, const Matrix3d& R, const Vector3d& X)
     return mesh;
 }
 
-// The same mesh with its vertices in the reverse order, and its triangles and their corners from
-// another one on.
+// The same mesh with its vertices in reverse order, and with the list of its triangles, and the
+// corners of each triangle, rotated by random numbers.
 TriangleMesh renumbered(TriangleMesh mesh, Random& random)
 {
     const int last = static_cast<int>(mesh.vertices.size()) - 1;
@@ -217,7 +217,7 @@ TEST_CASE("inertia: a box with a hollow is a box less a box", "[A2.13][inertia]"
 
 TEST_CASE("inertia: a torus of triangles converges to second order", "[A2.13][inertia]")
 {
-    // V = 2 π² R a²; I/M is R² + ¾ a² about the axis and ½ R² + ⅝ a² across it
+    // V = 2 π² R a²; I/M is R² + ¾ a² about the axis of the torus and ½ R² + ⅝ a² about a diameter
     const double R = 2, a = 0.5;
     std::vector<double> volume_errors, axial_errors, across_errors;
     for (const int n : {16, 32, 64}) {
@@ -278,7 +278,8 @@ TEST_CASE("inertia: an open mesh gives something finite", "[A2.13][inertia]")
 
 TEST_CASE("inertia: a plate however thin has the mass of its volume", "[A2.13][inertia]")
 {
-    // the plate stands beside the origin, where the tetrahedra of a sum are as large as the box
+    // the plate is 1 m from the origin, so tetrahedra with the origin are much larger than the
+    // plate
     for (int power = 1; power <= 40; ++power)
         for (int axis = 0; axis < 3; ++axis) {
             CAPTURE(power, axis);

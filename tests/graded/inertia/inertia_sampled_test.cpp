@@ -14,7 +14,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// The cell centers of a cube of edge a about `center`, with n cells along each edge.
+// The cell centers of a cube of edge a [m] about `center`, with n cells along each edge.
 std::vector<DensitySample> cube_of_cells(double a, int n, const Vector3d& center, double density)
 {
     std::vector<DensitySample> samples;
@@ -51,7 +51,7 @@ std::vector<DensitySample> full_samples(Random& random, int n, bool ball)
 
 // The standard deviation σ of y² + z² for one sample. The mean of y² + z² is Ixx/M.
 constexpr double sigma_ball =
-    0.261861468283191; // radius 1: √(8/35 · 3/7 · 7/10 - 4/25) = √(12/175)
+    0.261861468283191; // radius 1 [m²]: √(3/7 · 8/15 - (2/5)²) = √(12/175)
 constexpr double sigma_cube = 0.105409255338946; // edge 1: √(1/90)
 
 } // namespace

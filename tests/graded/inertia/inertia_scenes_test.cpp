@@ -17,7 +17,7 @@ Matrix3d box_inertia(double mass, const Vector3d& s)
     return Vector3d(mass / 12 * Vector3d(q.y() + q.z(), q.z() + q.x(), q.x() + q.y())).asDiagonal();
 }
 
-// Steiner's term: the inertia of a point mass at the offset d from the axis.
+// Steiner's term: the inertia of a point mass at the offset d from the center.
 Matrix3d point_inertia(double mass, const Vector3d& d)
 {
     return mass * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());

@@ -97,7 +97,7 @@ TEST_CASE("inertia: a tetrahedron inside out, near and far", "[A2.13][inertia]")
         const TriangleMesh mesh = tetrahedron({far, -far, 2 * far});
         const MassProperties right = mesh_mass_properties(mesh, 6),
                              out = mesh_mass_properties(inside_out(mesh), 6);
-        const double scale = 1 + far * far * far; // that of the tetrahedra with the origin
+        const double scale = 1 + far * far * far; // the size of tetrahedra with the origin
         REQUIRE_THAT(right.mass, IsClose(1.0, Rounding(64, scale)));
         REQUIRE_THAT(out.mass, IsClose(-1.0, Rounding(64, scale)));
         REQUIRE_THAT(out.center_of_mass,
@@ -193,7 +193,7 @@ TEST_CASE("inertia: a product of the inverse turns although its moments are equa
 TEST_CASE("inertia: vertices on a line, on a plane, and very many", "[A2.17][inertia]")
 {
     for (int along = 0; along < 3; ++along)
-        for (int flat = 0; flat < 3; ++flat) { // as a line where both are the same
+        for (int flat = 0; flat < 3; ++flat) { // a line if both are the same
             Vector3d size(0, 0, 0);
             if (along == flat)
                 size[along] = 2;

@@ -17,7 +17,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr std::size_t many = 1 << 12;
+constexpr std::size_t many = 1 << 12; // repetitions
 
 template <class T> std::vector<T> repeated(const std::vector<T>& list, std::size_t times)
 {
@@ -35,7 +35,7 @@ std::vector<DensitySample> samples(Random& random)
     return result;
 }
 
-// All is `times` as heavy.
+// The same body with `times` its density.
 MassProperties heavier(MassProperties body, double times)
 {
     body.mass *= times;
@@ -225,7 +225,8 @@ TEST_CASE("inertia: two turns in a row turn an inverse inertia as one", "[A2.3][
 
 TEST_CASE("inertia: a needle turns about its axis", "[A2.8][inertia]")
 {
-    // Tr(C) δ - C is a correct form too; there Iyy is a difference of terms of M l²
+    // A solution may compute I = Tr(C) δ - C from the second moments C. Then Iyy is a difference of
+    // terms as large as M l².
     for (int power = 1; power <= 24; ++power) {
         CAPTURE(power);
         const double r = std::ldexp(1, -power);

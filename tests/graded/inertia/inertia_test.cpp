@@ -36,7 +36,7 @@ std::vector<Particle> moved(std::vector<Particle> particles, const Matrix3d& R, 
     return particles;
 }
 
-// Half of a ball about the origin. Its disc lies across y.
+// Half of a ball about the origin, of mass M and radius R, on one side of the plane y = 0.
 MassProperties hemisphere(double M, double R, double side)
 {
     const double across = 83.0 / 320 * M * R * R; // about its own center, 3/8 R above the disc

@@ -12,7 +12,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// The beads and their sums.
+// The beads of lengths.hpp and their sums.
 struct Beads {
     std::vector<Particle> particles;
     double mass = 0, first = 0, second = 0; // Σ m, Σ m x, Σ m x²

@@ -18,7 +18,7 @@ TEST_CASE("kinematics: rods and point masses move as well", "[A1.9][kinematics]"
         const MatrixState state = {random.vector(), R, random.vector(), random.vector()};
         const Wrench wrench = {random.vector(), random.vector()};
         const double inverse_mass = random.mass();
-        for (const double across : {0.0, 2.0}) { // a point mass, a rod along the z-axis of its R
+        for (const double across : {0.0, 2.0}) { // a point mass, a rod along its z-axis
             CAPTURE(across);
             const Matrix3d I_inverse = R * Vector3d(across, across, 0).asDiagonal() * R.transpose();
             const MatrixStateRate rate =
@@ -48,8 +48,8 @@ TEST_CASE("kinematics: a static body has no rates even if it has a velocity", "[
 
 namespace {
 
-// A body that has turned by a tiny angle, down to 2^-40: no entry of its rotation matrix is a
-// rounding error.
+// The rotation matrix of a body that has turned by a tiny angle, down to 2^-40 rad: no entry of the
+// matrix is a rounding error.
 Matrix3d slightly_turned(Random& random)
 {
     const double angle = std::ldexp(1, -1 - static_cast<int>(random.bits() % 40));

@@ -219,7 +219,7 @@ TEST_CASE("kinematics: the rates give the centripetal acceleration", "[A1.12][ki
 TEST_CASE("kinematics: inertial wrench of six particles by hand", "[A1.13][kinematics]")
 {
     const Vector3d w(1, 2, 3), V(5, -4, 2);
-    // all is turned by R, with `length` instead of 1 m, and has its center at X
+    // the particles are turned by R, `length` times as far apart, and have their center at X
     const auto check = [&](const Matrix3d& R, double length, const Vector3d& X) {
         std::vector<Particle> particles = six_particles();
         for (Particle& particle : particles)

@@ -14,7 +14,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// So many equal elements that each sum is a power of two times one of them, up to rounding.
+// The number of equal elements in a list: a power of two, so that `many` times a number is exact.
 constexpr std::size_t many = 1 << 14;
 
 Tolerance of_many(double scale)

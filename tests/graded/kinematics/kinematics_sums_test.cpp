@@ -15,8 +15,8 @@ using namespace rigor::testing;
 
 namespace {
 
-// Every length up to 300, and those around the powers of two: where lists are cut into blocks, a
-// last block may be lost, or one that is full.
+// Every length up to 300, and those around the powers of two: a formula that takes lists block by
+// block may lose the last block, or one that is full.
 std::vector<std::size_t> lengths()
 {
     std::vector<std::size_t> result(300);
@@ -26,8 +26,8 @@ std::vector<std::size_t> lengths()
     return result;
 }
 
-// The elements of the lists, which take turns in them. There are fewer than the longest list has,
-// so that a formula need not be asked for so many elements alone.
+// The elements that take turns in the lists. There are fewer of them than the longest list has, so
+// that the formula is not called for too many single elements.
 std::vector<Particle> some_particles()
 {
     Random random(first_seed());
@@ -51,10 +51,10 @@ Wrench plus(const Wrench& a, const Wrench& b)
     return {a.force + b.force, a.torque + b.torque};
 }
 
-// Requires of lists in which these elements take turns that the formula gives the sum of what it
-// gives for each element alone.
-// @param formula    of a list
-// @param magnitude  a bound on each component of what the formula gives for one element
+// Checks for lists in which these elements take turns: the result for a list is the sum of the
+// results for its elements alone.
+// @param formula    takes a list
+// @param magnitude  a bound on each component of the result for one element
 template <class Sum, class T, class Formula, class Magnitude>
 void require_sums(Sum sum, const std::vector<T>& elements, const Formula& formula,
                   const Magnitude& magnitude)
@@ -118,7 +118,7 @@ TEST_CASE("kinematics: inertial forces are a sum over any number of particles",
 
 namespace {
 
-// Puts an entry anywhere into a list.
+// Puts an entry at a random place into a list.
 template <class T> void put_anywhere(std::vector<T>& list, const T& entry, Random& random)
 {
     list.insert(list.begin() + random_index(random, list.size() + 1), entry);

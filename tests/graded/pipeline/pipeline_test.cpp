@@ -82,7 +82,7 @@ TEST_CASE("pipeline: energy is the same in every frame", "[A0.1][pipeline]")
 
 TEST_CASE("pipeline: energy of light and heavy, slow and fast bodies", "[A0.1][pipeline]")
 {
-    // M V² is a number, although the square of M V would be too large or too small for one
+    // M V² fits in a double, although the square of M V would overflow or underflow
     for (int power = -800; power <= 800; power += 100)
         for (int speed = -100; speed <= 100; speed += 50) {
             CAPTURE(power, speed);

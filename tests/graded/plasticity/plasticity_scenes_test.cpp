@@ -15,7 +15,8 @@ namespace {
 
 using std::numbers::pi;
 
-// Young's modulus [Pa], yield stress [Pa], yield strain and length [m] of the bars in the scenes.
+// Young's modulus [Pa], yield stress [Pa], yield strain and length [m] of the bars that are
+// stretched.
 constexpr double E = 1e7, sigma_Y = 2e5, e_Y = sigma_Y / E, length = 2;
 
 const SolidFrame& solid(const Frame& frame, std::size_t i = 0)
@@ -96,7 +97,7 @@ TEST_CASE("plasticity: a stretched bar flows from its yield stress on", "[A6.9][
         if (frame.time > 1.005) break; // from then on it is held
         CAPTURE(frame.time);
         const double e = stretch_of(frame);
-        // class B
+        // class B: the bar begins to flow between 0.95 and 1.1 of the yield strain
         if (e < 0.95 * e_Y)
             check_that(largest(solid(frame).plastic_strains) == 0,
                        "no plastic strain, up to a strain of 0.95 σ_Y/E");
@@ -189,7 +190,8 @@ TEST_CASE("plasticity: a wire springs back as a whole or by what its yield stres
     const Vector3d end = at(3) - at(2);
     const double back = 150 - degrees(std::atan2(end.y(), end.x()));
 
-    // The moment σ_Y b h²/4 of a fully plastic section, over the stiffness E b h³/12, for 1 m.
+    // The moment σ_Y b h²/4 of a fully plastic section, over the stiffness E b h³/12, for 1 m of
+    // wire.
     const double exact = degrees(3 * 4e5 / (2e7 * 0.15));
     INFO("a mesh of two cells across is stiffer than the wire");
     REQUIRE_THAT(back, IsClose(exact, Order(0.3 * exact)));

@@ -31,8 +31,8 @@ const Eigen::Quaterniond box_q10(-0.7167345284363959, 0.02657340199601567, 0.013
                                  0.6967087213399667);
 const Vector3d box_w10(-1.441479761782112, 1.32591216920842, 3.268251472830505);
 
-/// A rotor with I = 0.04 across its axis z and J = 0.02 about it, ω = (2, -4, 6). Its axis
-/// precesses about L by |L|/I = 5.385 rad/s on a cone of 56.145°.
+/// A rotor with I = 0.04 kg m² across its axis z and J = 0.02 kg m² about it, ω = (2, -4, 6) rad/s.
+/// Its axis precesses about L at |L|/I = 5.385 rad/s, at the angle 56.145° to L.
 constexpr double rotor_I = 0.04, rotor_J = 0.02;
 const BodyInertia rotor = {1, Vector3d(1 / rotor_I, 1 / rotor_I, 1 / rotor_J).asDiagonal()};
 const Vector3d rotor_w(2, -4, 6), rotor_L(0.08, -0.16, 0.12);
@@ -126,7 +126,8 @@ TEST_CASE("rotation: the box's ω returns along its axes after a period", "[A3.1
 
 TEST_CASE("rotation: the tennis racket flips on time", "[A3.16][rotation]")
 {
-    // it flips every 9.41035970436993 s; half way through the first flip the order can be measured
+    // It flips every 9.41035970436993 s. The order is measured at 5 s, half way through the first
+    // flip.
     const Vector3d w5(0.655929773068489, -1.76801944452792, 0.815831130092729);
     const Vector3d flipped(0.1, -2, -0.1),
         w10(0.164146942774017, -1.99116951183221, -0.190874255368313);

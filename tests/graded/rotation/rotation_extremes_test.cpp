@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A3: inputs whose parts have very different sizes: columns, components of ω near gimbal lock, slow
-// bodies in long steps. And columns that lie along the axes in every combination.
+// bodies in long steps. Also columns that lie along the axes in every combination.
 #include "formulas/rotation.hpp"
 #include "rotation_cases.hpp"
 #include "support/close.hpp"
@@ -120,7 +120,7 @@ TEST_CASE("rotation: a slow body in a long step turns as a fast one in a short s
 
 TEST_CASE("rotation: the longest linear step makes a half turn", "[A3.12][rotation]")
 {
-    // q + Δt/2 (0, ω) q becomes (0, ω/|ω|) q, whose sign is that of ω
+    // for a long step the normalized q + Δt/2 (0, ω) q becomes (0, ω/|ω|) q
     const Quaternion q{0.8, {0.36, 0.48, 0}};
     const Vector3d u(2. / 3, -1. / 3, 2. / 3);
     const Quaternion expected{-u.dot(q.v), q.s * u + u.cross(q.v)};

@@ -16,7 +16,8 @@ namespace {
 
 using std::numbers::pi;
 
-// Checks a step against its closed form, with `by` as the rotation vector of the step.
+// Checks a step against its closed form.
+// @param by  the rotation vector of the step [rad]
 void check_motion(const RigidState& actual, const StepCase& c, const Vector3d& X,
                   const Vector3d& by)
 {
@@ -107,7 +108,8 @@ TEST_CASE("rotation: close to gimbal lock there are still Euler rates", "[A3.4][
 
 TEST_CASE("rotation: the linear update turns by as little as it is told", "[A3.12][rotation]")
 {
-    // in steps so small that a series for short turns is seen where it is worst
+    // neighbouring speeds differ by a factor of 2, so that a series for short turns is tested also
+    // where its error is largest
     for (int power = -3; power <= 500; ++power) {
         const double speed = std::ldexp(1, -power);
         CAPTURE(speed);

@@ -169,7 +169,7 @@ TEST_CASE("rotation: the rate is perpendicular to q", "[A3.10][rotation]")
         const Vector3d w = 5 * random.vector();
         const Quaternion rate = quaternion_rate(q, w);
         REQUIRE_THAT(q.s * rate.s + q.v.dot(rate.v), IsClose(0.0, Rounding(16, w.norm())));
-        // the rate is half as long as ω, and it belongs to ω in world space
+        // 2 q̇ q̄ is (0, ω), with ω in world space
         const Quaternion twice = plain(eigen(rate) * eigen(q).conjugate());
         REQUIRE_THAT(times(2, twice), IsClose(Quaternion{0, w}, Rounding(16, w.norm())));
     }

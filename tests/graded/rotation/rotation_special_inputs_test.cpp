@@ -16,7 +16,7 @@ namespace {
 
 constexpr double times[] = {0, 0x1p-30, 0x1p-12, 0.01, 0.5, 3, 100};
 
-// Starts that differ in what is exact about them.
+// Orientations to start from: no turn with either sign, half a turn about z, and a random one.
 std::vector<Quaternion> starts(Random& random)
 {
     return {{1, {0, 0, 0}}, {-1, {0, 0, 0}}, {0, {0, 0, 1}}, random.quaternion()};
@@ -117,7 +117,7 @@ TEST_CASE("rotation: Euler rates of angles beyond a whole turn", "[A3.4][rotatio
 
 namespace {
 
-// Bodies whose moments are all equal, differ by little, or by much.
+// A step of a body whose moments are all equal, differ by little, or by much.
 StepCase step_of_round_body(Random& random, double difference, double speed)
 {
     StepCase c = random_step(random);
@@ -170,7 +170,7 @@ TEST_CASE("rotation: Buss's step turns round and fast bodies", "[A3.16][rotation
                 const Vector3d by = h * (w + h / 2 * w_dot + h * h / 12 * w_dot.cross(w));
                 const double half = by.norm() / 2;
                 const Quaternion turned{std::cos(half), std::sin(half) * by.normalized()};
-                // ω × L cancels where the moments are nearly equal
+                // the terms of ω × L cancel where the moments are nearly equal
                 const double scale =
                     1 + h * w.norm() +
                     h * h * (I_inv.norm() * w.norm() * L.norm()) * (1 + h * w.norm());

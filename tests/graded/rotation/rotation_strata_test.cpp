@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A3: turns that are nearly none or nearly half a turn, and bodies at rest that a torque turns.
+// A3: turns that are nearly none, nearly half a turn or nearly a whole one, and bodies at rest that
+// a torque turns.
 #include "formulas/rotation.hpp"
 #include "rotation_cases.hpp"
 #include "support/close.hpp"
@@ -14,7 +15,7 @@ using namespace rigor::testing;
 
 namespace {
 
-// A turn by 2^-power, or by so much less or more than half a turn or a whole one.
+// A turn by 2^-power rad, or by an angle that differs by so much from half a turn or a whole turn.
 Eigen::Quaterniond nearly(Random& random, int power)
 {
     const double whole = static_cast<double>(random.bits() % 3) * std::numbers::pi;

@@ -19,7 +19,7 @@ template <class Formula> using Function = typename FunctionOf<Formula>::type;
 
 /// A wrong implementation.
 template <class Formula> struct WrongFormula {
-    std::string clue; // when it is wrong, for a student whose test accepts it
+    std::string clue; // says when it is wrong, for a student whose test accepts it
     Function<Formula> formula;
 };
 
@@ -47,11 +47,11 @@ const Candidates<SpringForce>& spring_forces();
 const Candidates<Tangent>& tangents();
 const Candidates<OscillatorStep>& oscillator_steps();
 
-/// Formulas of other topics, with dimensions. The wrong ones have a wrong power of a unit or a
-/// hidden constant.
+/// Right formulas, like those of other topics, with dimensions.
 const std::vector<FormulaWithUnits>& right_units();
+/// Wrong formulas with a wrong power of a unit, or with a constant that has a unit.
 const std::vector<FormulaWithUnits>& wrong_powers();
-/// A threshold, a limit or a small number in them has a unit.
+/// Wrong formulas in which a threshold, a limit or a small number has a unit.
 const std::vector<FormulaWithUnits>& wrong_thresholds();
 
 } // namespace rigor::testing

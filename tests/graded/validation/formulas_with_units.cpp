@@ -20,7 +20,7 @@ constexpr Dimension number = {}, mass = {1, 0, 0}, length = {0, 1, 0}, time = {0
 
 } // namespace dimensions
 
-// Whether two numbers are equal but for a part of the larger one.
+// Whether two numbers are equal up to 1e-9 of the larger one.
 bool nearly_equal(double a, double b)
 {
     return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
@@ -39,7 +39,7 @@ const Formulas& right_units()
          {length, acceleration},
          {time}},
         {"",
-         [](N a) { return N{std::pow(a[0] / a[1], 0.5)}; }, // rounds otherwise than a root
+         [](N a) { return N{std::pow(a[0] / a[1], 0.5)}; }, // rounds differently from std::sqrt
          {12, 0.3},
          {stiffness, mass},
          {rate}},
@@ -52,7 +52,7 @@ const Formulas& right_units()
          {length, length, length, force, force, force},
          {energy, energy, energy}},
         {"",
-         [](N a) { // a threshold that is a part of another number is right
+         [](N a) { // a threshold relative to another number is right
              return N{nearly_equal(a[1], a[2]) ? 0 : a[0] * (a[1] - a[2]), a[3]};
          },
          {3, 2, 2.0000001, 0.25},

@@ -20,12 +20,12 @@ namespace rigor::testing {
 
 namespace {
 
-constexpr std::size_t most_calls = 1000;
+constexpr std::size_t most_calls = 1000; // as formulas/validation.hpp says
 constexpr int most_rounds = 2000; // a test that asks anew each time would never come to its end
 
 using Calls = std::vector<KnownCall>;
 
-// The calls up to the question of the test, with its answer.
+// Keeps the calls before the question of the test, and adds the question with its answer.
 void answer(Calls& known, const Judgement& question, const NumericFormula& formula,
             std::size_t arguments)
 {
@@ -38,8 +38,8 @@ void answer(Calls& known, const Judgement& question, const NumericFormula& formu
     known.push_back({question.question, formula(question.question)});
 }
 
-// What the test says of a formula in the end. It begins without any call: those that it made about
-// another formula would be a memory of that one.
+// The judgement of the test about a formula. The test begins in a new worker and without known
+// calls, so that it cannot remember another formula.
 Judgement judged(const StudentsTest& test, const NumericFormula& formula)
 {
     renew_worker();
@@ -81,8 +81,8 @@ struct Candidate {
     bool is_accepted = false;
 };
 
-// Whoever measures time can sleep until the clock shows how many formulas came before. So their
-// order is drawn, and says nothing about which of them are right.
+// A test that reads the clock can find out how many formulas came before. So their order is random,
+// and says nothing about which of them are right.
 std::vector<std::size_t> drawn_order(std::size_t n)
 {
     Random random(first_seed() + 29);
@@ -122,7 +122,7 @@ double largest(const std::vector<double>& numbers)
 
 bool differs(const std::vector<double>& a, const std::vector<double>& b)
 {
-    constexpr double clearly = 1e-3; // a part of the largest number
+    constexpr double clearly = 1e-3; // relative to the largest number
     const double scale = std::max(largest(a), largest(b));
     for (std::size_t i = 0; i < a.size(); ++i)
         if (!(std::abs(a[i] - b[i]) <= clearly * scale)) return true;
@@ -219,8 +219,8 @@ NumericFormula
 rounded(const NumericFormula& formula,
         const std::function<std::vector<double>(const std::vector<double>&)>& largest_terms)
 {
-    // Two such formulas, or three components of a vector, differ by less than the 1e-12 that a test
-    // has to allow.
+    // Two such formulas differ, and a vector of three such components is wrong, by less than the
+    // 1e-12 that a test has to allow.
     constexpr double rounding = 0.25e-12;
     return [=](const std::vector<double>& from) {
         std::uint64_t hash = 0; // the same arguments have the same result
@@ -244,7 +244,7 @@ std::vector<WrongNumeric> mutants(const NumericFormula& formula,
     std::vector<WrongNumeric> all;
     while (all.size() < count) {
         const NumericFormula wrong = mutant(formula, draw(0), random);
-        NumericFormula tried = wrong; // has a memory of its own
+        NumericFormula tried = wrong; // a copy, which remembers its own calls
         unsigned different = 0;
         for (unsigned seed = 0; seed < cases; ++seed)
             different += differs(formula(draw(seed)), tried(draw(seed))) ? 1 : 0;

@@ -83,7 +83,8 @@ void check_test_of_units(const std::vector<FormulaWithUnits>& right,
                          const std::vector<FormulaWithUnits>& wrong);
 
 /// A right formula whose results are rounded nearly as much as a right formula's may be.
-/// @param largest_terms  of each number of the result, for these arguments; 0 where it is exact
+/// @param largest_terms  for these arguments, the largest term of each number of the result,
+///                       or 0 if the number is exact
 NumericFormula
 rounded(const NumericFormula& formula,
         const std::function<std::vector<double>(const std::vector<double>&)>& largest_terms);

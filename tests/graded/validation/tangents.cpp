@@ -31,7 +31,7 @@ Vector3d without_a_root(Vector3d n)
     return {1 + sign * n.x() * n.x() * a, sign * n.x() * n.y() * a, -sign * n.x()};
 }
 
-// What is left of an axis without its part along n.
+// The part of an axis that is perpendicular to n, with either sign.
 Vector3d by_projection(Vector3d n)
 {
     const Vector3d axis = std::abs(n.y()) < 0.7 ? Vector3d::UnitY() : Vector3d::UnitX();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A8.1 to A8.5: the tests that a student wrote accept every right formula and reject the wrong
-// ones. Each test case tries a test on all right formulas first, so that rejecting everything earns
-// nothing, and neither does accepting everything.
+// ones. Each test case tries a test on all right formulas and on wrong ones, in a random order. So
+// rejecting everything earns nothing, and neither does accepting everything.
 #include "judge.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
