@@ -221,7 +221,7 @@ TEST_CASE("collision: a heavy body at rest gets its velocities", "[A4.10][collis
 {
     for (Random random : seeds(40)) {
         const double lightness = power_of_two(random, -60, 0);
-        Body body; // at rest in the origin
+        Body body; // at rest at the origin
         body.inverse_mass = lightness;
         body.inverse_inertia = lightness * random.positive_definite();
         const Vector3d x = random.vector(), j = random.vector();
@@ -239,7 +239,7 @@ TEST_CASE("collision: slow bodies have a relative velocity", "[A4.3][collision]"
 {
     for (Random random : seeds(40)) {
         const double speed = power_of_two(random, -60, 0);
-        Body body1, body2; // static, both in the origin
+        Body body1, body2; // static, both at the origin
         body1.velocity = speed * random.vector();
         body2.velocity = speed * random.vector();
         CAPTURE(speed);

@@ -211,7 +211,7 @@ TEST_CASE("contact: a house of cards stands", "[A5.6][contact][scene]")
 
 TEST_CASE("contact: a seesaw tilts as its whole weight lets it", "[A5.6][contact][scene]")
 {
-    // As one rigid body it turns about the left edge of the ridge, at (-0.03, 0.5):
+    // As one rigid body the seesaw turns about the left edge of the ridge, at (-0.03, 0.5):
     // α = g Σ m (-0.03 - x) / Σ (I + m d²) over plank, small block and big block.
     const double m[] = {192, 62.5, 400}, x[] = {0, 1.7, -1.45}, y[] = {0.55, 0.85, 1.1};
     const double square[] = {16.01, 0.5, 2}; // w² + h²

@@ -118,7 +118,7 @@ TEST_CASE("contact: friction is stepped by the larger eigenvalue across the norm
     // then both the normal and the tangential velocity of the tip are -0.225 m/s:
     // 0.4 + 0.225/2.5 = 0.49 and 0.15 + 0.225/4 = 0.20625
     check_impulses(resolved(problem, 3), {{0.20625, 0.49, 0}});
-    // in the end it sticks: j = K⁻¹ (0, 1, 0)
+    // in the end the tip sticks: j = K⁻¹ (0, 1, 0)
     check_impulses(resolved(problem, 200), {{0.375, 0.625, 0}});
     REQUIRE_THAT(velocity_of(resolved(problem, 200).bodies, problem.contacts[0]),
                  IsClose(Vector3d(0, 0, 0), Rounding(256, 1)));

@@ -116,13 +116,13 @@ TEST_CASE("contact: one ball on the floor is stopped in any number of iterations
 {
     for (int n : {1, 2, 10, 33}) {
         CAPTURE(n);
-        // it sticks: an impulse of -0.3/3.5 across the normal stops its lowest point
+        // the ball sticks: an impulse of -0.3/3.5 across the normal stops its lowest point
         const ContactResult stuck = resolved(ball_on_floor({0.3, -2, 0}, 0.5), n);
         REQUIRE_THAT(stuck.impulses,
                      IsClose(std::vector{Vector3d(-0.3 / 3.5, 2, 0)}, Rounding(64, 2)));
         REQUIRE_THAT(stuck.bodies[1].velocity,
                      IsClose(Vector3d(0.3 - 0.3 / 3.5, 0, 0), Rounding(64, 2)));
-        // it slides: friction is 0.1 times the push in each iteration, and so it is in total
+        // the ball slides: friction is 0.1 times the push in each iteration, and so in total
         const ContactResult sliding = resolved(ball_on_floor({3, -2, 0}, 0.1), n);
         REQUIRE_THAT(sliding.impulses, IsClose(std::vector{Vector3d(-0.2, 2, 0)}, Rounding(64, 2)));
     }
@@ -130,8 +130,8 @@ TEST_CASE("contact: one ball on the floor is stopped in any number of iterations
 
 TEST_CASE("contact: the deepest end of a rod is stopped first", "[A5.2][contact]")
 {
-    // One iteration with ε = 0. The left end comes first: 1/4 stops it and pushes the other end
-    // down by 2/4 to 1.5 m/s, which then gets 1.5/4.
+    // One iteration with ε = 0. The left end comes first: an impulse of 1/4 stops it and pushes the
+    // other end down by 2/4 to 1.5 m/s. Then the other end gets 1.5/4.
     check_ends(resolved(falling_rod(0.02, 0.01), 1), 0.25, 0.375);
     check_ends(resolved(falling_rod(0.01, 0.02), 1), 0.375, 0.25);
     // with equal depths the first contact of the list comes first

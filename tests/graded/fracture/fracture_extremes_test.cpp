@@ -112,7 +112,7 @@ TEST_CASE("fracture: any number of tetrahedra around an edge part at two faces",
 TEST_CASE("fracture: along faces a mesh with many vertices", "[A7.5][fracture]")
 {
     const TetrahedralMesh cube = block(2, 2, 2), mesh = behind_unused(cube, many);
-    for (const double x : {1.0, 3.0}) { // in the middle, and nowhere
+    for (const double x : {1.0, 3.0}) { // in the middle, and outside of the mesh
         const auto at = [x](const Vector3d& p) { return p.x() == x; };
         const SplitMesh result = split_along_faces(mesh, faces_where(cube, at));
         check_count(vertex_count(result.mesh), many + 27 + (x == 1 ? 9 : 0), "vertices");
@@ -182,7 +182,7 @@ TEST_CASE("fracture: the slice that a crack cuts off may be thin", "[A7.7][fract
 TEST_CASE("fracture: a corner whose height is a negative zero is on the side of the normal",
           "[A7.7][fracture]")
 {
-    // its height is 0 or, where all products are negative zeros, -0.0
+    // the height of corner 0 is 0 or, where all products are negative zeros, -0.0
     for (const Vector3d& n : {Vector3d(1, 1, 1), Vector3d(-1, -1, -1), Vector3d(-1, 0, 0)}) {
         CAPTURE(n);
         const Vector3d normal = n.normalized();

@@ -30,8 +30,8 @@ constexpr int index_counts[] = {narrow, wide, 1 << 20};
 // Pairs of tetrahedra with faces, edges or vertices that become one if an index is kept modulo B,
 // or if indices are added up with a factor B between them: (a, b + B, c) and (a + 1, b, c), the
 // other way round (a + B, b, c) and (a, b + 1, c), and so on. A comment below names the face or
-// edge for which one of its tetrahedron may be taken; up to multiples of B, the next tetrahedron
-// has it.
+// edge with which one of this tetrahedron may be confused; up to multiples of B, it is one of the
+// next tetrahedron.
 TetrahedralMesh with_similar_indices(int B)
 {
     constexpr int a = 10, b = a + 20, c = a + 40, d = a + 60;

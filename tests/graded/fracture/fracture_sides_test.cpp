@@ -85,7 +85,8 @@ TEST_CASE("fracture: a center as near to the plane as can be told decides", "[A7
     for (int power = 10; power <= 40; ++power)
         for (const double sign : {1.0, -1.0}) {
             CAPTURE(power, sign);
-            // as above; the center of tetrahedron 0 is 2^-power above the plane, or below it
+            // as in the test above, but the center of tetrahedron 0 is 2^-power above or below z =
+            // 0
             const double height = -0x1p-4 + sign * 4 * std::ldexp(1, -power);
             const TetrahedralMesh mesh = placed({{{0, 0, 0},
                                                   {1, 0, 0x1p-5},

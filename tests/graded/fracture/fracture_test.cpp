@@ -185,7 +185,7 @@ TEST_CASE("fracture: the largest eigenvalue is at most the mean and two thirds o
         const double p = sigma.trace() / 3;
         const double sigma_vM = std::sqrt(1.5) * (sigma - p * Matrix3d::Identity()).norm();
         const double sigma_1 = principal_stress(sigma).stress;
-        // they are equal where the other two eigenvalues are equal
+        // σ₁ is p + ⅔ σ_vM where the other two eigenvalues are equal
         check_at_most(sigma_1, p + 2 * sigma_vM / 3, "σ₁, by p + ⅔ σ_vM", 16);
         check_at_least(sigma_1, p, "σ₁, by p", 16);
     }

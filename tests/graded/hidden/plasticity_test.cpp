@@ -19,6 +19,6 @@ TEST_CASE("plasticity: the bar under cyclic load moves as the reference's",
 
 TEST_CASE("plasticity: the twisted bar moves as the reference's", "[A6.10][plasticity][hidden]")
 {
-    // by then it is twisted by half a turn and has flowed
+    // by then the bar is twisted by half a turn and has flowed
     check_solids("a6-plasticity/twisted_bar", 1e7, R"({"end": 1})");
 }

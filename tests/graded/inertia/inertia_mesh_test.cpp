@@ -294,7 +294,8 @@ TEST_CASE("inertia: a plate however thin has the mass of its volume", "[A2.13][i
 
 TEST_CASE("inertia: a vertex that no triangle uses changes nothing", "[A2.13][inertia]")
 {
-    // It may move the point about which a sum is taken, but not far: that would cost digits.
+    // The vertex may move the point about which a sum is taken, but not far: that would cost
+    // digits.
     for (const double distance : {1.0, 4.0}) {
         CAPTURE(distance);
         TriangleMesh mesh = box({0, 0, 0}, {1, 2, 4});

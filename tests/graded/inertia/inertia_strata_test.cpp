@@ -127,7 +127,7 @@ TEST_CASE("inertia: a light particle counts beside heavy ones", "[A2.1][inertia]
             CAPTURE(power);
             std::vector<Particle> particles = random.particles(3);
             particles[0].mass = 1;
-            particles[1].mass = 1 + std::ldexp(1, -power); // and nearly equal ones
+            particles[1].mass = 1 + std::ldexp(1, -power); // nearly equal masses too
             particles[2].mass = std::ldexp(1, -power);
             if (random.bits() % 2 == 0) particles.pop_back();
             require_mass_properties(particle_mass_properties(particles), sum_of(particles), 2, 64);

@@ -133,7 +133,7 @@ template <FormulaIndex f, auto& formula> void check_affine(const Affine& row)
     for (unsigned seed : seeds(150)) {
         Random random(seed + 9000);
         Arguments<formula> a = random_arguments<f, formula>(seed);
-        if (f != FormulaIndex::euler_rates && seed % 3 != 0) // its angles might be gimbal lock
+        if (f != FormulaIndex::euler_rates && seed % 3 != 0) // its angles may be at gimbal lock
             redraw_chosen(a, of, names, row.arguments, true, random);
         Arguments<formula> b = a;
         redraw_chosen(a, of, names, row.arguments, false, random);

@@ -16,7 +16,7 @@ TEST_CASE("plasticity: a plastic strain keeps its trace", "[A6.8][plasticity]")
         const double G = random.uniform(0.5, 5);
         const Matrix3d s = stress - stress.trace() / 3 * Matrix3d::Identity();
         const double mises = std::sqrt(1.5) * s.norm();
-        for (const double share : {0.2, 0.9, 1.5}) { // at 1.5 it does not yield
+        for (const double share : {0.2, 0.9, 1.5}) { // at 1.5 the solid does not yield
             CAPTURE(share);
             const double f = std::max(0.0, mises - share * mises);
             const Matrix3d expected = strain + f / (3 * G) * std::sqrt(1.5) * s / s.norm();

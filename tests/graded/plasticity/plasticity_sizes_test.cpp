@@ -76,7 +76,7 @@ TEST_CASE("plasticity: a plastic strain of any size grows in proportion", "[A6.8
     for (Random random : seeds(80)) {
         const Stretched solid(random);
         const Matrix3d stress = random_symmetric(random);
-        const double share = random.bits() % 2 == 0 ? 0.5 : 2; // at 2 it does not yield
+        const double share = random.bits() % 2 == 0 ? 0.5 : 2; // at 2 nothing yields
         const double yield_stress = share * mises_of(stress), k = solid.factor;
         CAPTURE(k, share);
         const Matrix3d usual = plastic_flow(solid.strain, stress, yield_stress, solid.G);

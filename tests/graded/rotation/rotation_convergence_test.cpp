@@ -126,8 +126,8 @@ TEST_CASE("rotation: the box's ω returns along its axes after a period", "[A3.1
 
 TEST_CASE("rotation: the tennis racket flips on time", "[A3.16][rotation]")
 {
-    // It flips every 9.41035970436993 s. The order is measured at 5 s, half way through the first
-    // flip.
+    // The racket flips every 9.41035970436993 s. The order is measured at 5 s, half way through the
+    // first flip.
     const Vector3d w5(0.655929773068489, -1.76801944452792, 0.815831130092729);
     const Vector3d flipped(0.1, -2, -0.1),
         w10(0.164146942774017, -1.99116951183221, -0.190874255368313);
