@@ -72,7 +72,7 @@ Difference compare(const T& actual, const T& expected, const Tolerance& toleranc
     return difference;
 }
 
-/// @param expected  the expected value, to be read
+/// The text of a failure. @param expected  the expected value as text
 std::string describe(const std::string& expected, const Tolerance& tolerance,
                      const Difference& difference);
 

@@ -41,7 +41,7 @@ void check_new_vertices(const TetrahedralMesh& mesh, const SplitMesh& result, in
                         const Vector3d& n)
 {
     const std::map<int, double> h = heights(mesh, vertex, n).of;
-    std::map<std::array<int, 2>, double> expected; // t of each edge a < b
+    std::map<std::array<int, 2>, double> expected; // where each edge a < b is cut
     for (const Tetrahedron& t : mesh.tetrahedra)
         if (corner_of(t, vertex) < 4)
             for (int a : t)

@@ -85,8 +85,7 @@ TEST_CASE("fracture: a center as near to the plane as can be told decides", "[A7
     for (int power = 10; power <= 40; ++power)
         for (const double sign : {1.0, -1.0}) {
             CAPTURE(power, sign);
-            // as in the test above, but the center of tetrahedron 0 is 2^-power above or below z =
-            // 0
+            // the mesh of the test above, but the center of tetrahedron 0 is at z = ±2^-power
             const double height = -0x1p-4 + sign * 4 * std::ldexp(1, -power);
             const TetrahedralMesh mesh = placed({{{0, 0, 0},
                                                   {1, 0, 0x1p-5},

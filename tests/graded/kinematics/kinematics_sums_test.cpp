@@ -34,8 +34,8 @@ std::vector<Particle> some_particles()
     return random.particles(331);
 }
 
-// Sums of n terms have a rounding error of at most n eps times the sum of their magnitudes, here on
-// both sides.
+// A sum of n terms has a rounding error of at most n eps times the sum of their magnitudes. Both of
+// the compared results are such sums.
 Tolerance rounding_of(std::size_t n, double magnitudes)
 {
     return Rounding(2 * static_cast<double>(n) + 16, magnitudes);

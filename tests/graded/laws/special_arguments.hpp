@@ -215,7 +215,7 @@ void turn_by_quarters(Arguments& arguments, Random& random)
     }
 }
 
-/// Arguments of the formula, special and within what the contract says of them together.
+/// Special arguments of the formula that the contract allows together.
 template <FormulaIndex f, auto& formula> Arguments<formula> special_arguments(Random& random)
 {
     using F = FormulaIndex;

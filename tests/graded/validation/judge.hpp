@@ -12,7 +12,7 @@
 
 namespace rigor::testing {
 
-/// A formula as numbers → numbers.
+/// A formula as a function from numbers to numbers.
 using NumericFormula = Function<UnknownFormula>;
 
 template <class Result, class... Argument>
@@ -82,7 +82,7 @@ void check_test(const StudentsTest& test, const std::vector<NumericFormula>& rig
 void check_test_of_units(const std::vector<FormulaWithUnits>& right,
                          const std::vector<FormulaWithUnits>& wrong);
 
-/// A right formula whose results are rounded nearly as much as a right formula's may be.
+/// A right formula whose results have rounding errors nearly as large as A8 allows.
 /// @param largest_terms  for these arguments, the largest term of each number of the result,
 ///                       or 0 if the number is exact
 NumericFormula
