@@ -52,8 +52,7 @@ TEST_CASE("contact: the highest of many supports decides, wherever it is listed"
     for (const int count : {3, 7, 20, 70, 300})
         for (const int place : {0, count / 2, count}) {
             CAPTURE(count, place);
-            // 0 is static, 1 rests on 0, 2 on 1; then `count` bodies of level 1, and one on all of
-            // them
+            // 0 is static, 1 rests on 0, 2 on 1; `count` bodies have level 1, and one rests on all
             std::vector<std::vector<int>> rests_on = {{}, {0}, {1}};
             std::vector<int> supports;
             for (int i = 0; i < count; ++i) {
@@ -73,8 +72,7 @@ TEST_CASE("contact: a cycle is above what any of its bodies rests on", "[A5.3][c
     for (const int count : {3, 12, 70, 300})
         for (const int which : {0, count / 2, count - 1}) {
             CAPTURE(count, which);
-            // 0 is static, 1 rests on 0, 2 on 1; then come a ring of bodies, one of which rests on
-            // 2
+            // 0 is static, 1 rests on 0, 2 on 1; then a ring of bodies, one of which rests on 2
             std::vector<std::vector<int>> rests_on = {{}, {0}, {1}};
             for (int i = 0; i < count; ++i)
                 rests_on.push_back({3 + (i + 1) % count});
