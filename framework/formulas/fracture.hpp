@@ -93,7 +93,8 @@ SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshF
 /// @param vertex  index into the vertices
 /// @param normal  unit normal of the plane
 /// @return  tetrahedra and vertices in any order; unchanged if no vertex of these tetrahedra is
-///          above the plane, or none is below, or if no tetrahedron has the vertex
+///          above the plane, or none is below, or if no tetrahedron has the vertex. A vertex that
+///          counts as lying on the plane is neither above nor below it.
 SplitMesh split_element(const TetrahedralMesh& mesh, int vertex, const Vector3d& normal);
 
 /// A7.7 Cracked elements are duplicated and the crack is embedded in them (Molino, Bao and Fedkiw

@@ -48,8 +48,9 @@ double yield_strain(double yield_stress, double shear_modulus);
 
 /// A6.8 Associative perfect plasticity: the plastic strain after a time step.
 ///
-///     f(σ) = √(3/2) ‖dev σ‖ - σ_Y          f ≤ 0: ε_p stays as it is
-///     ε_p ← ε_p + γ √(3/2) dev σ / ‖dev σ‖  with γ such that f = 0 for the new stress
+///     f(σ) = √(3/2) ‖dev σ‖ - σ_Y
+///     f ≤ 0:  ε_p stays as it is
+///     f > 0:  ε_p ← ε_p + γ √(3/2) dev σ / ‖dev σ‖  with γ such that f = 0 for the new stress
 ///
 /// The total strain stays the same, so the new stress is σ_new = σ - 2 G (ε_p_new - ε_p). Neither
 /// the trace of ε_p nor the pressure changes.

@@ -16,8 +16,8 @@
 
 namespace rigor {
 
-/// The velocities of two bodies on a line [m/s]. In the result of a collision, the field v1 is u₁
-/// and v2 is u₂.
+/// The velocities of two bodies on a line [m/s]. In the result of a `LineCollision`, the fields v1
+/// and v2 are the velocities after the collision, u₁ and u₂.
 struct LineVelocities {
     double v1 = 0, v2 = 0;
 };

@@ -33,7 +33,8 @@ struct RigidColliders {
     std::vector<Body> bodies;
     std::vector<Pose> surfaces;
     std::vector<char> is_pushed;
-    /// Whether each body was asleep or in contact with other rigid bodies when the step began.
+    /// Whether each body is asleep when the step begins, or got an impulse from another rigid body
+    /// in the contact stage of the step before.
     std::vector<char> is_supported;
 
 private:

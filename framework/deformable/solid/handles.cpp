@@ -10,7 +10,7 @@ namespace rigor {
 namespace {
 
 // The displacement and rotation of a path at a time: linear between two moments of the path,
-// constant before its first and after its last moment.
+// constant before its first and after its last moment. The path is not empty.
 HandleMoment moment_at(const std::vector<HandleMoment>& path, double time)
 {
     const auto after = std::upper_bound(path.begin(), path.end(), time,

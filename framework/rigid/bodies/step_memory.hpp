@@ -36,8 +36,15 @@ struct SleepingContact : ContactRecord {
     double time_step = 0; // length of that step [s]
 };
 
-/// What a step leaves for the next one. `finish_step` (step/step_result) writes the warm contacts,
-/// step/sleep the sleeping contacts, and detection/broad_phase the pairs.
+/// What a step leaves for the next one. `finish_step` (step/step_result) replaces the warm
+/// contacts, or `step_single_body` removes them. step/sleep stores the contacts of bodies that fall
+/// asleep as sleeping ones, and moves their warm contacts back when the bodies wake.
+/// detection/broad_phase writes the pairs. How long a body has been at rest is not here, but in
+/// `RigidBody::rest`.
+///
+/// `start_warm` reads the warm contacts, and step/adaptive_substeps those of a part of the world.
+/// deformable/contact/rigid_colliders reads them too, also if the warm start is turned off: a body
+/// that has one counts as supported by rigid bodies.
 struct StepMemory {
     std::vector<WarmContact> warm_contacts;          // sorted by `body1`, then `body2`
     std::vector<SleepingContact> sleeping_contacts;  // contacts that support sleeping bodies

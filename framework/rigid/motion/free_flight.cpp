@@ -133,8 +133,8 @@ int count_substeps(int n, Counters& counters)
     return n;
 }
 
-// Two times of a substep [s]: its start, and its middle. An applied force that acts at the middle
-// acts during the whole substep.
+// Two times of a substep [s]: its start, and its middle. The middle decides whether an applied
+// force acts: during the whole substep, or not at all.
 struct StepTimes {
     double start = 0, middle = 0;
 };

@@ -32,8 +32,8 @@ struct PairWorld {
     std::vector<Contact> contacts;
 };
 
-// The contact of a pair that closes first: its gap [m], its v·n (`speed`) [m/s] and the rate at
-// which v·n changes [m/s²].
+// How a contact closes: its gap [m], its v·n (`speed`) [m/s] and the rate at which v·n changes
+// [m/s²].
 struct Approach {
     double gap = 0, speed = 0, rate = 0;
 

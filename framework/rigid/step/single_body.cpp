@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Advances a world with a single body by one free flight. No stage for contacts runs, because the
-// body can touch nothing.
+// Advances a world with a single rigid body by one free flight. No stage for contacts runs, because
+// there is no other rigid body that it could touch.
 #include "rigid/step/single_body.hpp"
 
 #include "rigid/bodies/mass.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The step of a world with a single body. The body can touch nothing, so free flight is the only
-// stage.
+// The step of a world with a single rigid body. There is no other rigid body that it could touch,
+// so free flight is the only stage. (Deformable solids have pushed it before: deformable/step.)
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -11,7 +11,7 @@ namespace rigor {
 bool is_single_body(const World& world);
 
 /// The step of a world for which `is_single_body` is true. It makes no lists of bodies or contacts
-/// and runs no stage but free flight.
+/// and runs no stage but free flight. It removes the warm contacts of an earlier step.
 /// @return an empty list, since there are no contacts
 std::vector<ContactRecord> step_single_body(World& world, double time_step);
 

@@ -3,26 +3,29 @@
 // rigid bodies with stacking", ACM Trans. Graph. 22). Each stage is a call or two in step.cpp:
 //
 // stage                 reads                     writes               where
-//   a single body       its state, gravity        its state            step/single_body; then the
+//   a single body       its state, gravity        its state, memory    step/single_body; then the
 //                                                                      other stages are left out
-//   wake up             forces, springs           sleeping bodies      step/sleep, `wake_pulled`
+//   wake up             forces, springs           sleeping bodies,     step/sleep, `wake_pulled`
+//                                                 memory
 //   bodies with forces  forces, drag              none                 motion/forces,
 //                                                                      `pulled_bodies`,
 //                                                                      `with_dragged_bodies`
 // 1 free flight         states, forces            flown states         motion/free_flight
 // 2 find contacts       states, flown states      contact candidates   detection/contact_candidates
-//   broad phase         bounds                    pairs of bodies      detection/broad_phase
+//   broad phase         bounds, memory            pairs of bodies,     detection/broad_phase
+//                                                 memory
 //   margins, turn ahead flown states, masses      margins, poses       `margins_of`, `turn_ahead`
 //                                                                      in contact_candidates
 //   narrow phase        shapes, poses, margins    candidates           detection/narrow_phase
-//   wake up             candidates                sleeping bodies      step/sleep, `wake`; if any
-//                                                                      wakes, 1 and 2 run again
+//   wake up             candidates                sleeping bodies,     step/sleep, `wake`; if any
+//                                                 memory               wakes, 1 and 2 run again
 //   no candidates: the states after free flight are final, and the step ends here
 //   make the problem    candidates                contacts in islands, contact/make_problem
 //                                                 impulse matrices
 //   warm start          memory                    initial impulses     contact/warm_start
 //   blocks              large islands             blocks, colors       contact/blocks
-// 3 collisions          velocities before forces  velocities           contact/collisions
+// 3 collisions          velocities before forces, velocities, impulses contact/collisions
+//                       gaps
 // 4 velocities          flown states              velocities           step/step, `apply_forces`
 // 5 contact, friction   velocities, gaps          velocities, impulses contact/resting_contact
 //   set drives          drives                    velocities of drives contact/contact_problem,
@@ -32,17 +35,20 @@
 //   solve               initial impulses          velocities, impulses contact/solvers/ or
 //                                                                      contact/one_at_a_time
 //   solve again         contacts in the middle    velocities, impulses step/mean_velocity,
-//                       of the step                                    step/midpoint_contact
+//                       of the step               contacts             step/midpoint_contact
 // 6 position correction gaps, velocities          displacements        contact/position_correction
 // 7 positions           velocities, displacements states               step/position_update
-// 8 refine              states, contacts          states, records      step/impact,
+// 8 refine              states, contacts, memory  states, records      step/impact,
 //                                                                      step/adaptive_substeps
 //   missed contacts     flown states, states,     none                 step/missed_contacts; if
 //                       margins                                        there is one, the whole step
 //                                                                      runs again in two halves
-//   collect contacts    impulses                  records, memory      step/step_result
-// 9 sleep               states, islands           memory, states       step/sleep
-//   finish the step     states, records           world                step/step_result
+//   collect contacts    impulses                  records, the next    step/step_result
+//                                                 warm contacts
+// 9 sleep               states, islands           states, memory, the  step/sleep
+//                                                 next warm contacts
+//   finish the step     states, records, memory,  world, memory        step/step_result
+//                       the next warm contacts
 //
 // "Memory" is what the world keeps for its next step (`StepMemory` in bodies/step_memory.hpp). A
 // "record" is a contact with its impulse, for the trajectory (`ContactRecord`).
@@ -60,8 +66,9 @@
 // with its own law (`projected` in newton_row). If a scene turns the optimisation
 // `optimised_formulas` off, the reference is treated as any other implementation. The contact
 // methods `one_at_a_time` and `shock_propagation` always call formulas of topic `contact`, from
-// contact/one_at_a_time, and stage 3 always calls `collision_impulse`. The impulses from which
-// sweeps start are put into the friction cone where they are made: in contact/warm_start and
+// contact/one_at_a_time. Stage 3 calls `collision_impulse` with any implementation and any contact
+// method, but under `simultaneous` it leaves contacts with ε = 0 to stage 5. The impulses from
+// which sweeps start are put into the friction cone where they are made: in contact/warm_start and
 // contact/load_estimate.
 //
 // In a world with deformable solids, deformable/step/step.cpp moves the solids first and then calls

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The command line of the launcher, which only the grader writes (`sandbox/confined.cpp`):
+// The command line of the launcher. Only the grader writes it. To run a program
+// (`sandbox/confined.cpp`), it is, for example:
 //
 //     confine --report=4 --profile=worker --namespaces=plain --user=1879048200 --seccomp=notify
 //             --landlock --read=FOLDER --write=FOLDER --folder=FOLDER
 //             --limit=address_space:2147483648 -- PROGRAM ARGUMENT...
+//
+// To find out which walls are possible (`sandbox/tier.cpp`):
+//
+//     confine --probe --user=1879048200
 #pragma once
 
 #include <cstdint>

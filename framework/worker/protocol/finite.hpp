@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the first number in a value that is NaN or infinite.
+// Finds in a value the first number that is NaN or infinite.
 #pragma once
 
 #include "worker/protocol/wire.hpp"

@@ -152,7 +152,8 @@ inline std::vector<Tetrahedron> canonical(const std::vector<Tetrahedron>& tetrah
     return result;
 }
 
-/// Checks that the same corners are one vertex in two meshes with their tetrahedra in one order.
+/// Checks that two meshes, with their tetrahedra in the same order, agree in which corners are the
+/// same vertex. The places of the vertices are not compared.
 inline void check_same_vertices(const std::vector<Tetrahedron>& found,
                                 const std::vector<Tetrahedron>& expected)
 {

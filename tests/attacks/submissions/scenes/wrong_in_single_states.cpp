@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Wrong by far in one of sixteen states, which the bits of the state draw, and right in nearly all
-// of their neighbours, from which a judge of rounding errors might step.
+// Wrong by far in one of sixteen states, which a hash of the state's bits chooses. A neighbouring
+// state, some rounding errors away, has another hash, so the formula is right in nearly all of
+// these. If a test let the formula step from neighbours too, to see whether rounding alone decides
+// a step, it would excuse the wrong steps. It does not help: only the reference is asked there.
 // topic: kinematics
 // tasks: A1.11
 // beside: equations_of_motion
