@@ -16,8 +16,9 @@ namespace rigor {
 /// @return whether the element was changed
 bool relax_element(Deformable& solid, int element);
 
-/// Finds the elements that have been inverted for too long, separates them from the solid along all
-/// their faces, and relaxes them by `relax_element`.
+/// Finds the elements that have been inverted for too long, and separates them from the solid along
+/// all their faces. Those that then share no node with another element are relaxed by
+/// `relax_element`.
 ///
 /// The elastic force on an inverted element is bounded, so neighbours at the limit of their plastic
 /// strain can hold it inverted forever. The time does not count for elements with a node that a

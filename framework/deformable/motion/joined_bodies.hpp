@@ -11,8 +11,9 @@ class JoinedBodies {
 public:
     /// Finds the bodies that join the system: dynamic bodies that touch the solid or may touch it
     /// in this step. Each starts with the velocity that it would have at the end of the step if
-    /// only gravity acted. A body that sleeps or touches other rigid bodies does not join: its
-    /// velocity is taken as given, because it passes the impulses on to its supports.
+    /// only gravity acted. A body that sleeps or that other rigid bodies hold
+    /// (`RigidColliders::is_supported`) does not join: its velocity is taken as given, because it
+    /// passes the impulses on to its supports.
     void join(const RigidColliders& rigid, const std::vector<NodeContact>& contacts,
               double time_step);
 

@@ -8,7 +8,8 @@ namespace rigor {
 
 /// The parts are the pieces of the solid between which the matrix has no block. A part is open if
 /// the next solve includes it. After the first solve, only parts whose contacts or plastic flow
-/// have changed are opened again, and parts that touch the same rigid bodies as these.
+/// have changed are opened again. If one of them touches a rigid body that has joined the system
+/// (joined_bodies.hpp), all parts that touch any of these bodies are opened too.
 class OpenParts {
 public:
     /// Opens all parts of a system.

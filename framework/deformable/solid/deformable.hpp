@@ -146,7 +146,7 @@ inline bool flows_in_step(const Deformable& solid)
     return solid.material.yield_stress != never && solid.flow_time == FlowTime::in_step;
 }
 
-/// Whether a solid moves as one rigid body. Then its material plays no part.
+/// Whether a solid moves as one rigid body. Then only the density of its material matters.
 inline bool is_rigid(const Deformable& solid)
 {
     return solid.integrator == NodeIntegrator::velocity_modes ||

@@ -7,8 +7,9 @@
 namespace rigor {
 
 /// The contact problem of a step: the contacts that may close in it, grouped into islands, with
-/// their impulse matrices and, if the warm start is on, the impulses from which their sweeps start.
-/// Reads the world's bodies, settings and memory, and changes its counters.
+/// their impulse matrices and, if the contact method has a warm start and it is on, the impulses
+/// from which their sweeps start. Reads the world's time, bodies, pair laws, settings and warm
+/// contacts, and changes its counters.
 ///
 /// @param flown       the states after free flight, as if there were no contacts
 /// @param candidates  the contacts to choose from; a contact is left out if its gap after free

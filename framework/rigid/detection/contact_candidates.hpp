@@ -28,6 +28,7 @@ bool never_collide(const World& world, int i, int j);
 
 /// Finds contact candidates in three stages: the broad phase finds pairs of bodies, the margin of
 /// each body grows by the motion that impulses may add, and the narrow phase finds the contacts.
+/// Changes the world's pair cache and its counters.
 ///
 /// @param flown  the states after free flight
 ContactCandidates contact_candidates(World& world, std::span<const RigidState> flown,

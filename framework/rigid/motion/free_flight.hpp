@@ -14,10 +14,10 @@
 //      Munthe-Kaas.
 //
 // Methods 2 and 3 advance all pulled bodies together, in equal substeps h. There are so many
-// substeps that each of these bodies rotates by at most a quarter turn in a substep (with the limit
-// in `substeps_for`, free_flight.cpp), and that `fastest_force_rate` times h is at most 0.5. The
-// integrators other than `exact` and `runge_kutta` do not divide the step for forces, so that
-// students can watch where springs make them unstable.
+// substeps that each of these bodies, unless it is isotropic, rotates by at most a quarter turn in
+// a substep (with the limit in `substeps_for`, free_flight.cpp), and that `fastest_force_rate`
+// times h is at most 0.5. The integrators other than `exact` and `runge_kutta` do not divide the
+// step for forces, so that students can watch where springs make them unstable.
 //
 // SRKN6b, in which kicks (impulses) and free flights alternate, is a symplectic
 // Runge–Kutta–Nyström method of Blanes and Moan (2002, "Practical symplectic partitioned

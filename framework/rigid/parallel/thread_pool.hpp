@@ -10,8 +10,8 @@ namespace rigor {
 
 /// The calling thread and worker threads that help it. The workers start with the first work that
 /// is shared, wait for more work, and end with the pool. The result of a task does not depend on
-/// the thread that does it, as long as no task writes what another task reads. A copy of a pool has
-/// workers of its own, since a pool works for one caller at a time.
+/// the thread that does it, as long as no task writes what another task reads or writes. A copy of
+/// a pool has workers of its own, since a pool works for one caller at a time.
 class ThreadPool {
 public:
     /// @param threads  number of threads, including the calling thread; below 2 the calling thread

@@ -42,6 +42,7 @@ inline constexpr int most_divisions = 10;
 ///
 /// An island is refined only if it has at most 32 bodies and none of them is `pulled`.
 ///
+/// @param world    only its counters change
 /// @param problem  in it, the impulses of repeated islands are set to zero
 /// @param pulled   for each body, whether springs, applied forces or drag act on it
 /// @param states   the states after the step; those of repeated islands are replaced

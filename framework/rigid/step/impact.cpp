@@ -78,7 +78,7 @@ std::optional<Approach> first_to_close(const World& world, const ContactProblem&
 }
 
 // The two bodies of the contact c after a flight of length `time` from the start of the step, with
-// their contacts whose gap is at most `reach`.
+// their contacts whose gap is below `reach`.
 PairWorld pair_at(const World& world, const ContactConstraint& c, double time, double reach)
 {
     PairWorld pair;

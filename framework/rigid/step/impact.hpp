@@ -42,8 +42,8 @@ double time_of_impact(const World& world, const ContactProblem& problem, const C
 /// @param pulled         for each body, whether springs, applied forces or drag act on it
 /// @param displacements  the position corrections, one for each body, or an empty list
 /// @param states  the states of all bodies; the states of pairs whose bounce is moved are replaced
-/// @return the contacts of these bounces with their impulses; in `problem`, the impulses of these
-///         contacts become zero
+/// @return the contacts of these bounces with their impulses; in `problem`, the impulses of all
+///         contacts of these pairs become zero, also if the two bodies only fly
 std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem& problem,
                                              const std::vector<bool>& pulled,
                                              const std::vector<Displacement>& displacements,

@@ -18,8 +18,10 @@ enum class MidpointResult {
 /// on its rim, a stick that turns about its foot (middle_of_step.hpp has the conditions).
 ///
 /// If the island is solved again, its bodies get their velocities after the step, and its contacts
-/// their impulses and normals of the middle of the step. The bodies then have to move with the
-/// means of their velocities at the start and at the end of the step.
+/// their impulses and normals of the middle of the step. The points of these contacts are moved
+/// back to the start of the step, and `passes_by` is set (case 4 of `ContactConstraint`). The
+/// bodies then have to move with the means of their velocities at the start and at the end of the
+/// step.
 ///
 /// @param first  the bodies after the collision stage, before the forces
 /// @param flown  the states after free flight

@@ -17,6 +17,7 @@ namespace rigor {
 /// the start and the end of the step instead (mean_velocity.hpp), which is exact for a constant
 /// acceleration. The displacements are added to the resulting poses.
 ///
+/// @param world             only its counters change
 /// @param pulled            for each body, whether springs, applied forces or drag act on it
 /// @param after_collisions  the bodies after the collision stage, before the forces
 /// @param by_mean           for each island, whether its bodies move with their mean velocities

@@ -8,11 +8,11 @@
 
 namespace rigor {
 
-/// Puts to sleep every island that stayed in its place, in a world with gravity: for half a second,
-/// each body has moved by at most 1e-4 of its radius and rotated by at most 1e-4 radians (less for
-/// a body whose radius exceeds the distance of a free fall in this time, see `rest_fraction` in
-/// sleep.cpp). The bodies lose their remaining velocity and keep their place. An island on a driven
-/// body that moves stays awake.
+/// Puts to sleep every island that stayed in its place, in a world with gravity, if the
+/// optimisation `sleep` is on: for half a second, each body has moved by at most 1e-4 of its radius
+/// and rotated by at most 1e-4 radians (less for a body whose radius exceeds the distance of a free
+/// fall in this time, see `rest_fraction` in sleep.cpp). The bodies lose their remaining velocity
+/// and keep their place. An island on a driven body that moves stays awake.
 ///
 /// @param radii    radius of each body [m]
 /// @param forced   for each body, whether springs or applied forces pull on it; such a body stays

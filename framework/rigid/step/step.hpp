@@ -107,6 +107,8 @@ namespace rigor {
 /// @throws NonFiniteState if a state is infinite or not a number
 /// @throws std::domain_error if a spring, damper, drag or force is too fast for the time step, or
 ///         if the formula `max_time_step` returned no time above 0
+/// @throws std::out_of_range if a formula returned an index or a list that does not fit its
+///         arguments
 std::vector<ContactRecord> step(World& world, double time_step);
 
 } // namespace rigor
