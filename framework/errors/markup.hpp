@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// A text with <, > and & replaced, to stand between two tags.
+/// A text with &lt;, &gt; and &amp; in place of <, > and &, to stand between two tags.
 std::string escaped_markup(const std::string& text);
 
 } // namespace rigor

@@ -3,8 +3,9 @@
 // motion: the engine whose states count runs in the client. The worker runs the same scene ahead of
 // the client and streams only the answer of each formula, in the order of the calls. The client's
 // engine takes these answers instead of asking for each, which would take far longer. Both engines
-// are the same code and get the same answers, so they call the same formulas. If a worker streams
-// other answers than those of its formulas, they only count as wrong answers of its formulas.
+// get the same answers and use no faster forms of the formulas, so they make the same calls. If a
+// worker streams other answers than those of its formulas, they only count as wrong answers of its
+// formulas.
 //
 // Where the reference answers a formula instead of the implementation, the client gives the worker
 // this answer: the worker waits at such a call until the client has come to the same call and has

@@ -23,8 +23,9 @@ constexpr double flow_tolerance = 1e-9;
 // The rounding error of a stress, divided by 2 G ‖e‖ with the trial elastic strain e.
 constexpr double rounding = 1e-13;
 // On the way from the velocities of the previous linearisation to those of the latest solve, the
-// minimised function first falls. If its slope at the end of this way, divided by the size of its
-// slope at the start, is above this number, the latest velocities lie too far beyond the minimum.
+// function that the step minimises first falls. If its slope at the end of this way, divided by the
+// size of its slope at the start, is above this number, the latest velocities lie too far beyond
+// the minimum.
 constexpr double largest_turn = 0.5;
 
 Matrix3d deviatoric(const Matrix3d& a)

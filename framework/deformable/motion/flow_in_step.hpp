@@ -52,7 +52,8 @@ private:
     // The linearised flow in the latest solve, and in the next one; sorted by element.
     std::vector<ElementFlow> flows_, next_;
     std::vector<int> changed_;
-    // Slope of the minimised function at the latest velocities, along `way_` (see `backtrack`) [J].
+    // Slope of the function that the step minimises, at the latest velocities along `way_` (see
+    // `backtrack`) [J].
     double excess_ = 0;
     std::vector<Vector3d> way_; // from `guess_` to the latest velocities [m/s]
 };

@@ -34,9 +34,9 @@ bool is_inside(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b, co
 }
 
 // The triangles of a simple counter-clockwise polygon, found by clipping one ear after the other.
-// An ear is a counter-clockwise triangle of three successive corners with no other corner inside.
-// The next ear is always the one with the largest ratio of its area to the squared length of its
-// new edge, which avoids slivers.
+// An ear is a counter-clockwise triangle of three successive corners, with no other corner inside
+// it or on its border. The next ear is always the one with the largest ratio of its area to the
+// squared length of its new edge, which avoids slivers.
 std::vector<std::array<int, 3>> triangulated(const std::vector<PlanePoint>& polygon)
 {
     std::vector<int> rest(polygon.size());

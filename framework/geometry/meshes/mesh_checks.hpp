@@ -23,9 +23,10 @@ double signed_volume(const TriangleMesh& mesh);
 
 /// Refuses a mesh that is not the surface of a solid. It must have triangles, and not too many. The
 /// vertices of faces must exist and be finite, and each face must have an area. Each edge must have
-/// two faces, which traverse the edge in opposite directions. Faces must be counter-clockwise seen
-/// from outside, and the surface must not intersect itself. A closed piece of surface inside
-/// another piece must be the wall of a hollow. At most 64 pieces are allowed.
+/// two faces, which traverse the edge in opposite directions. The surface must enclose a volume,
+/// faces must be counter-clockwise seen from outside, and the surface must not intersect itself. A
+/// closed piece of surface inside another piece must be the wall of a hollow. At most 64 pieces are
+/// allowed.
 ///
 /// @param lines  for each triangle, its line in the text of the mesh, which the error names; empty
 ///               if the mesh has no text
