@@ -2,7 +2,8 @@
 // Runs the graded tests for the selected tasks and scores them. Hidden tests run only if there is
 // an oracle: a worker process that runs the reference. The test program sends each verdict at once.
 // If verdicts are missing, or the program crashes or hangs, the result is an internal error, and
-// its points do not count.
+// its points do not count. With an oracle, tasks that lost points may be judged a second time
+// (`follow_through`, `judge_again_with_reference`).
 #include "grading/run_tests.hpp"
 
 #include "errors/quotes.hpp"

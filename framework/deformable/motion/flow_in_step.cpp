@@ -136,10 +136,10 @@ void FlowInStep::note_error(int e, const Matrix3d& error, const Matrix3d& trial,
     excess_ += work_->elements.volume(e) * product(error, d - before);
 }
 
-// Goes back towards the guess if the velocities of the latest solve lie too far beyond the minimum
-// of the function that the step minimises. Let p be the way from the guess to these velocities, and
-// A the matrix of the latest solve. Along p, this function has the slope -pᵀ A p at the guess
-// (`slope` is pᵀ A p) and the slope `excess_` at the velocities.
+// Goes back towards the guess if the velocities of the latest solve lie too far beyond the minimum.
+// Let p be the way from the guess to these velocities, and A the matrix of the latest solve. Along
+// p, the function that the step minimises has the slope -pᵀ A p at the guess (`slope` is pᵀ A p)
+// and the slope `excess_` at these velocities.
 // @return whether it went back
 bool FlowInStep::backtrack(VelocitySystem& s)
 {

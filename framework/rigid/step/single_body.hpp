@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The step of a world with a single rigid body. There is no other rigid body that it could touch,
-// so free flight is the only stage. (Deformable solids have pushed it before: deformable/step.)
+// so free flight is the only stage. Deformable solids, if there are any, have already pushed the
+// body before this step (deformable/step).
 #pragma once
 
 #include "rigid/bodies/world.hpp"

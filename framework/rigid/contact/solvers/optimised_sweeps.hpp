@@ -6,8 +6,8 @@
 namespace rigor {
 
 /// Sweeps for the contact methods `built_in` and `simultaneous` that do not call any formula. They
-/// give the same result as sweeps that call the formulas of the reference implementation. The
-/// students' tree has another source of this name, which calls the formulas.
+/// give the same result, up to rounding, as sweeps that call the formulas of the reference
+/// implementation. The students' tree has another source of this name, which calls the formulas.
 ///
 /// @param island  has to be split into blocks, since only pairs in blocks are swept; the threads in
 ///                `problem.pool` share the blocks
