@@ -24,9 +24,26 @@ Body node_body(const Deformable& solid, int node, double inverse_mass)
     return body;
 }
 
+// The impulse on a node of which handles prescribe some coordinates, from a body that does not
+// move: the problem of a free node, in the free coordinates. The velocity along m is the one that
+// changes n·v as it must change; the friction is that of the whole normal impulse, and acts on the
+// free part of the sliding velocity.
+Vector3d impulse_along_free_axes(const HeldAxes& held, const FreeNormal& free, double inverse_mass,
+                                 const Vector3d& v, const NodeContact& c, double restitution)
+{
+    const Vector3d n = c.normal, &m = free.m;
+    const Vector3d slip = v - n.dot(v) * n;
+    Vector3d along = held.free_part(v);
+    along -= m.dot(along) * m;
+    const double share = slip.norm() > 0 ? std::min(along.norm() / slip.norm(), 1.0) : 1;
+    const Matrix3d K = inverse_mass * Matrix3d::Identity();
+    return collision_impulse(K, along + n.dot(v) / free.cosine * m, m, restitution,
+                             c.friction * share / free.cosine);
+}
+
 } // namespace
 
-void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
+void collide_nodes(Deformable& solid, const std::vector<HeldAxes>& held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters)
 {
@@ -35,7 +52,8 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
     const double resting_speed = 2 * time_step * rigid.world.settings.gravity.norm();
     for (const NodeContact& c : contacts.all()) {
         const Vector3d x = solid.positions[c.node], n = c.normal;
-        const double inverse_mass = is_held[c.node] ? 0 : 1 / solid.masses[c.node];
+        const std::optional<FreeNormal> free = free_normal(held[c.node], n);
+        const double inverse_mass = free ? 1 / solid.masses[c.node] : 0;
         const Body& body = rigid.bodies[c.body];
         if (inverse_mass == 0 && body.is_static()) continue;
         const Vector3d v = relative_velocity(node_body(solid, c.node, inverse_mass), body, x);
@@ -43,30 +61,37 @@ void collide_nodes(Deformable& solid, const std::vector<char>& is_held,
         if (v_n >= 0 || c.gap + time_step * v_n >= 0) continue;
         if (with_restitution && (c.restitution == 0 || -c.restitution * v_n < resting_speed))
             continue;
-        const Matrix3d K =
-            inverse_mass * Matrix3d::Identity() +
-            impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
         // Without restitution, a node may still close its gap within the time step, so only the
         // approach speed above gap / time_step is removed.
         const Vector3d closing = with_restitution ? v : v + std::max(c.gap, 0.0) / time_step * n;
-        const Vector3d j =
-            collision_impulse(K, closing, n, with_restitution ? c.restitution : 0.0, c.friction);
-        solid.velocities[c.node] += inverse_mass * j;
+        const double restitution = with_restitution ? c.restitution : 0;
+        Vector3d j;
+        if (held[c.node].any() && body.is_static()) {
+            j = impulse_along_free_axes(held[c.node], *free, inverse_mass, closing, c, restitution);
+        } else {
+            const Matrix3d K =
+                inverse_mass * held[c.node].free_axes() +
+                impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
+            j = collision_impulse(K, closing, n, restitution, c.friction);
+        }
+        solid.velocities[c.node] += inverse_mass * held[c.node].free_part(j);
         rigid.push(c.body, x, -j);
         ++counters.node_impulses;
     }
 }
 
-void correct_node_positions(Deformable& solid, const std::vector<char>& is_held,
+void correct_node_positions(Deformable& solid, const std::vector<HeldAxes>& held,
                             const NodeContacts& contacts, double step_share, double farthest)
 {
     // Share of the penetration that a step removes. It is small enough that resting nodes do not
     // jitter.
     constexpr double corrected_share = 0.2;
     for (const NodeContact& c : contacts.all()) {
-        if (c.gap >= 0 || is_held[c.node]) continue;
+        if (c.gap >= 0) continue;
+        const std::optional<FreeNormal> free = free_normal(held[c.node], c.normal);
+        if (!free) continue;
         solid.positions[c.node] +=
-            std::min(corrected_share * step_share * -c.gap, farthest) * c.normal;
+            std::min(corrected_share * step_share * -c.gap, farthest) / free->cosine * free->m;
     }
 }
 

@@ -44,8 +44,9 @@ void ContactSet::guess(const ContactStep& step)
     const double h = step.time_step;
     for (std::size_t k = 0; k < step.contacts.size(); ++k) {
         const NodeContact& c = step.contacts[k];
-        if (step.is_held[c.node]) continue;
-        const Vector3d v = step.solid.velocities[c.node] + h * step.gravity;
+        const HeldAxes& held = step.held[c.node];
+        if (!free_normal(held, c.normal)) continue;
+        const Vector3d v = step.solid.velocities[c.node] + h * held.free_part(step.gravity);
         const Vector3d surface = step.bodies.velocity_before(step.rigid, c.body, arm(c));
         if (c.gap + h * c.normal.dot(v - surface) < 0)
             modes_[k] = c.friction > 0 ? ContactMode::sticking : ContactMode::sliding;
@@ -71,8 +72,30 @@ TiedNode ContactSet::tie(int k) const
     Vector3d surface = -std::max(c.gap, 0.0) / step_->time_step * c.normal;
     if (number < 0) surface += step_->bodies.velocity_before(step_->rigid, c.body, arm(c));
     const bool slides = modes_[k] == ContactMode::sliding;
-    const Matrix3d N = slides ? Matrix3d(c.normal * c.normal.transpose()) : Matrix3d::Identity();
+    const HeldAxes& held = step_->held[c.node];
+    const FreeNormal free = free_normal(held, c.normal).value();
+    if (held.any() && number < 0) {
+        // n·v as it must be, with what the handles prescribe of v, by the free coordinates alone.
+        const Vector3d v = step_->solid.velocities[c.node], prescribed = v - held.free_part(v),
+                       n = c.normal;
+        surface += (n.dot(surface - prescribed) / free.cosine - free.m.dot(surface)) * free.m;
+    }
+    const Matrix3d N = slides ? Matrix3d(free.m * free.m.transpose()) : held.free_axes();
     return {c.node, N, surface, number, arm(c), slides ? dampings_[k] : 0};
+}
+
+// The impulse j of the contact is along n up to friction, which acts along the free coordinates.
+// Handles give the node the rest of the residual, so that only its free part tells j.
+void ContactSet::set_impulse(int k, const Vector3d& residual)
+{
+    const NodeContact& c = step_->contacts[k];
+    const HeldAxes& held = step_->held[c.node];
+    impulses_[k] = residual;
+    if (!held.any()) return;
+    const FreeNormal free = free_normal(held, c.normal).value();
+    const Vector3d r = held.free_part(residual);
+    const double along_m = free.m.dot(r);
+    impulses_[k] = r - along_m * free.m + along_m / free.cosine * c.normal;
 }
 
 bool ContactSet::revise(int k, const Vector3d& velocity, const Matrix3d& diagonal)
@@ -83,7 +106,7 @@ bool ContactSet::revise(int k, const Vector3d& velocity, const Matrix3d& diagona
 bool ContactSet::revise_free(int k, const Vector3d& velocity)
 {
     const NodeContact& c = step_->contacts[k];
-    if (modes_[k] != ContactMode::open || step_->is_held[c.node]) return false;
+    if (modes_[k] != ContactMode::open || !free_normal(step_->held[c.node], c.normal)) return false;
     const Vector3d surface = step_->bodies.velocity_after(step_->rigid, c.body, arm(c));
     const double depth = -(c.gap + step_->time_step * c.normal.dot(velocity - surface));
     if (depth <= penetration_tolerance * step_->radius) return false;

@@ -3,6 +3,7 @@
 // these nodes stick or slide.
 #pragma once
 
+#include "deformable/contact/held_axes.hpp"
 #include "deformable/motion/joined_bodies.hpp"
 
 #include <optional>
@@ -15,10 +16,10 @@ struct ContactStep {
     const RigidColliders& rigid;
     const JoinedBodies& bodies;
     const std::vector<NodeContact>& contacts;
-    const std::vector<char>& is_held; // for each node, whether a handle holds it
-    Vector3d gravity;                 // [m/s²]
-    double time_step = 0;             // h [s]
-    double radius = 0;                // half the diagonal of the box around the solid [m]
+    const std::vector<HeldAxes>& held; // for each node
+    Vector3d gravity;                  // [m/s²]
+    double time_step = 0;              // h [s]
+    double radius = 0;                 // half the diagonal of the box around the solid [m]
 };
 
 /// A contact is open (it does not act on its node), or it holds its node, which sticks or slides.
@@ -28,7 +29,7 @@ class ContactSet {
 public:
     /// Makes a first guess for each contact: it holds its node if the node would otherwise be
     /// inside the body after the step. With friction the node sticks, without friction it slides.
-    /// The contacts of a node that a handle holds are open.
+    /// The contacts of a node that handles keep from moving along the normal are open.
     void guess(const ContactStep& step);
 
     /// Chooses for each node, among the contacts that hold it, the one with the smallest gap. Only
@@ -42,9 +43,11 @@ public:
     /// The constraint by which contact k ties its node in the linear system.
     TiedNode tie(int k) const;
 
+    /// Notes the impulse of contact k after a solve in which it tied its node.
+    /// @param residual  the impulse of the node's ties, which are the contact and handles [N s]
+    void set_impulse(int k, const Vector3d& residual);
     /// The impulse that contact k gave its node in the latest solve in which it tied the node
     /// [N s]; zero if there was no such solve in this step.
-    void set_impulse(int k, const Vector3d& impulse) { impulses_[k] = impulse; }
     const Vector3d& impulse(int k) const { return impulses_[k]; }
 
     /// Corrects the mode and the damping of a contact after a solve.

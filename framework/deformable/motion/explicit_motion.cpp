@@ -85,9 +85,9 @@ void move_explicitly(const NodeMotion& motion)
         const double time = motion.start + k * h;
         hold_nodes(solid, time + h, h, work.held);
         for (const HeldNode& held : work.held)
-            work.is_held[held.node] = 1;
+            work.held_axes[held.node].axes = held.axes;
         const auto collide = [&](bool with_restitution) {
-            collide_nodes(solid, work.is_held, work.contacts, motion.rigid, h, with_restitution,
+            collide_nodes(solid, work.held_axes, work.contacts, motion.rigid, h, with_restitution,
                           motion.counters);
         };
         motion.rigid.fall(h);
@@ -102,14 +102,14 @@ void move_explicitly(const NodeMotion& motion)
         collide(false);
         for (std::size_t i = 0; i < solid.positions.size(); ++i)
             solid.positions[i] += h * solid.velocities[i];
-        correct_node_positions(solid, work.is_held, work.contacts, h / step, h * motion.radius);
+        correct_node_positions(solid, work.held_axes, work.contacts, h / step, h * motion.radius);
         if (flows_in_step(solid)) {
             work.elements.strains(solid.positions, work.strains);
             flow(solid, work, motion.rigid.world.settings, motion.counters);
         }
         motion.rigid.advance(h);
         for (const HeldNode& held : work.held)
-            work.is_held[held.node] = 0;
+            work.held_axes[held.node] = {};
     }
     motion.rigid.end_substeps(step);
 }

@@ -154,14 +154,14 @@ void move_implicitly(const NodeMotion& motion)
     ++motion.counters.deformable_substeps;
     hold_nodes(solid, motion.start + h, h, work.held);
     for (const HeldNode& held : work.held)
-        work.is_held[held.node] = 1;
+        work.held_axes[held.node].axes = held.axes;
     work.contacts.measure(solid, motion.rigid);
-    collide_nodes(solid, work.is_held, work.contacts, motion.rigid, h, true, motion.counters);
+    collide_nodes(solid, work.held_axes, work.contacts, motion.rigid, h, true, motion.counters);
 
     assemble_system(motion);
     const auto& contacts = work.contacts.all();
     work.bodies.join(motion.rigid, contacts, h);
-    work.contact_set.guess({solid, motion.rigid, work.bodies, contacts, work.is_held,
+    work.contact_set.guess({solid, motion.rigid, work.bodies, contacts, work.held_axes,
                             motion.gravity, h, motion.radius});
     solve_with_flow(motion);
     work.velocity_system.restore_momentum(solid, work.held, work.contact_set.tied_by(), h);
@@ -170,9 +170,9 @@ void move_implicitly(const NodeMotion& motion)
     solid.velocities = work.velocity_system.velocities;
     for (std::size_t i = 0; i < solid.positions.size(); ++i)
         solid.positions[i] += h * solid.velocities[i];
-    correct_node_positions(solid, work.is_held, work.contacts, 1, h * motion.radius);
+    correct_node_positions(solid, work.held_axes, work.contacts, 1, h * motion.radius);
     for (const HeldNode& held : work.held)
-        work.is_held[held.node] = 0;
+        work.held_axes[held.node] = {};
 }
 
 } // namespace rigor

@@ -42,7 +42,7 @@ std::vector<char> surface_nodes(const Deformable& solid,
 Workspace::Workspace(const Deformable& solid)
     : ElementWorkspace(solid), topology(solid.topology), material(solid.material),
       is_surface(surface_nodes(solid, face_neighbours)), forces(solid.rest.vertices.size()),
-      is_held(solid.rest.vertices.size(), 0)
+      held_axes(solid.rest.vertices.size())
 {
 }
 

@@ -25,7 +25,7 @@ struct Workspace : ElementWorkspace {
     // Buffers of a step.
     std::vector<Vector3d> forces;
     std::vector<HeldNode> held;
-    std::vector<char> is_held; // for each node, whether a handle holds it
+    std::vector<HeldAxes> held_axes; // for each node
     NodeContacts contacts;
 
     // Data for implicit steps only.
