@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Comparison of values with a tolerance, component by component. A component that is not finite
-// fails at once. Otherwise one component beyond its bound is reported: a later one replaces an
-// earlier one if its error is larger, and not smaller as a multiple of its bound. The first failure
-// in a test case goes into its verdict.
+// fails at once. Otherwise the component that exceeds its bound most is reported, or of several
+// with the bound 0 the one with the largest error. The first failure in a test case goes into its
+// verdict.
 #include "support/close.hpp"
 
 #include "support/largest_error.hpp"
@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rigor::testing {
 
@@ -100,8 +101,7 @@ Difference difference_between(const Components& actual, const Components& expect
             continue;
         }
         const double excess = bound > 0 ? error / bound : infinity;
-        if (worst.kind != Difference::none && (excess < worst_excess || error <= worst.error))
-            continue;
+        if (std::pair(excess, error) <= std::pair(worst_excess, worst.error)) continue;
         worst = {Difference::number, i, error, bound, {}};
         worst_excess = excess;
     }

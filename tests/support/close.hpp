@@ -45,7 +45,7 @@ Tolerance Exactly();
 /// How two values differ.
 struct Difference {
     enum Kind { none, size, not_finite, number } kind = none;
-    std::size_t index = 0;       // a number that exceeds its bound, or is not finite
+    std::size_t index = 0;       // the number that exceeds its bound most, or is not finite
     double error = 0, bound = 0; // error and bound of that number
     std::string place;           // "inertia(0, 1)"
 };

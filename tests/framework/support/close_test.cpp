@@ -86,6 +86,21 @@ TEST_CASE("close: a sign is not lost", "[support]")
     CHECK_FALSE(close(Vector3d(1, 2, 3), Vector3d(1, 2, -3), Rounding(1e6)));
 }
 
+TEST_CASE("close: the component that exceeds its bound most is reported", "[support]")
+{
+    const auto worst = [](const std::vector<double>& errors, const std::vector<double>& scales) {
+        std::vector<double> actual = scales; // each number has the bound 0.1 times its scale
+        for (std::size_t i = 0; i < errors.size(); ++i)
+            actual[i] += errors[i];
+        const Tolerance tolerance = {"R", 0, 0.1, ""};
+        return difference_between(components(actual), components(scales), tolerance).index;
+    };
+    CHECK(worst({1, 0.5}, {1, 0.1}) == 1);
+    CHECK(worst({0.5, 1}, {0.1, 1}) == 0);
+    CHECK(worst({1, 2, 1.5}, {0, 0, 0}) == 1); // with the bound 0 the largest error
+    CHECK(worst({1e-3, 1, 1e-3}, {0, 1, 0}) == 0);
+}
+
 TEST_CASE("close: a wrong component hides behind no other", "[support]")
 {
     // Each component is compared by itself. A NaN is refused although it exceeds no bound.
