@@ -11,6 +11,7 @@
 #include "grading/process.hpp"
 #include "support/bench/bench.hpp"
 #include "support/judge_all.hpp"
+#include "support/reasons.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -184,7 +185,8 @@ void add_rows(Bench& bench, const std::vector<Mutant>& mutants)
 
 int run(bool is_json, const std::vector<std::string>& wanted)
 {
-    const auto equivalent = equivalent_mutants(RIGOR_EQUIVALENT_MUTANTS);
+    // Mutants that are as correct as the source, by their paths.
+    const auto equivalent = testing::reasons_in(RIGOR_EQUIVALENT_MUTANTS);
     std::vector<Mutant> mutants = wanted_mutants(wanted, equivalent);
     check_unchanged(mutants);
     testing::judge_all(mutants, judge);

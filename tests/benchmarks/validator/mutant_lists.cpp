@@ -33,25 +33,4 @@ std::vector<Mutant> mutants_of(const std::filesystem::path& folder, const std::s
     return result;
 }
 
-std::map<std::string, std::string> equivalent_mutants(const std::filesystem::path& file)
-{
-    std::ifstream in(file);
-    if (!in) throw std::runtime_error(file.string() + ": cannot be read");
-    std::map<std::string, std::string> result;
-    std::string reason;
-    bool is_in_reason = false;
-    for (std::string line; std::getline(in, line);) {
-        if (line.empty()) continue;
-        if (line.front() == '#') {
-            reason = is_in_reason ? reason + line.substr(1) : line.substr(1);
-            is_in_reason = true;
-            continue;
-        }
-        is_in_reason = false;
-        if (!result.emplace(line, reason).second)
-            throw std::runtime_error(file.string() + ": twice: " + line);
-    }
-    return result;
-}
-
 } // namespace rigor::mutants

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The mutants that a build has, and those that are known to be no mistakes.
+// The mutants that a build has.
 #pragma once
 
 #include "formulas/table.hpp"
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -28,9 +27,5 @@ struct Mutant {
 
 /// The mutants of a source.
 std::vector<Mutant> mutants_of(const std::filesystem::path& folder, const std::string& stem);
-
-/// Mutants that are as correct as the source, by their paths, each with the reason. In the file, a
-/// reason is a paragraph of lines that begin with `#`. Paths follow it, one in each line.
-std::map<std::string, std::string> equivalent_mutants(const std::filesystem::path& file);
 
 } // namespace rigor::mutants
