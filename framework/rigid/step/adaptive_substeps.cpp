@@ -173,8 +173,10 @@ struct Division {
 // The first bounce that divides the step. Bounces with ε > 0 of these pairs count:
 // 1. Two moving balls.
 // 2. A ball and a static body, in an island of at most `few_bodies` bodies where several pairs
-//    bounced and no contact carried a load. (If one did, its mean force, from which the next step
-//    starts, might come from a very short part of this step.)
+//    bounced and none of the others carried a load. (If one did, its mean force, from which the
+//    next step starts, might come from a very short part of this step. A pair that bounced carries
+//    a load if third bodies sent its bodies towards each other again: the contact stage stops them
+//    where the next bounce is due.)
 //
 // A bounce that `bounce_at_impacts` has moved to its time of impact does not count. The exact time
 // matters, as in billiards: balls part along the line of centers that they have at the impact. The
@@ -191,7 +193,9 @@ Division first_impact(const World& world, const ContactProblem& problem, const I
                              [&](const ContactPair& pair) { return holds(problem, pair); });
     };
     const std::ptrdiff_t bounces = count(bounced);
-    const bool is_loaded = count(carries_load) > 0;
+    const bool is_loaded = count([](const ContactProblem& in, const ContactPair& pair) {
+                               return carries_load(in, pair) && !bounced(in, pair);
+                           }) > 0;
     const bool is_small = island.bodies.size() <= few_bodies && bounces > 1 && !is_loaded;
 
     double first = problem.time_step;
@@ -221,11 +225,11 @@ void fly_freely(World& world, double time)
     world.time += time;
 }
 
-void take_substeps(IslandWorld& part, const Step& step, std::span<const double> times,
-                   Refinement& refined)
+void take_substeps(IslandWorld& part, const StepOfPart& step, const Divisions& divisions,
+                   std::span<const double> times, Refinement& refined)
 {
     for (const double time : times)
-        for (ContactRecord record : step(part.world, time)) {
+        for (ContactRecord record : step(part.world, time, divisions)) {
             record.body1 = part.bodies[record.body1];
             record.body2 = part.bodies[record.body2];
             refined.records.push_back(record);
@@ -241,9 +245,11 @@ void take_substeps(IslandWorld& part, const Step& step, std::span<const double> 
 
 Refinement refine_by_substeps(World& world, ContactProblem& problem,
                               const std::vector<bool>& pulled, const ContactCandidates& candidates,
-                              std::vector<RigidState>& states, const Step& step)
+                              std::vector<RigidState>& states, const Divisions& before,
+                              const StepOfPart& step)
 {
     Refinement refined;
+    if (before.all() >= most_divisions_of_few) return refined;
     OverlapCheck overlaps_anew(world, problem, candidates, states);
     for (const Island& island : problem.islands) {
         if (island.bodies.size() > most_bodies) continue;
@@ -251,17 +257,22 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
                         [&](int i) { return pulled[i]; }))
             continue;
         const double h = problem.time_step;
+        const bool is_at_limit = before.all() >= most_divisions;
+        if (is_at_limit && island.bodies.size() > few_bodies) continue;
         const auto [impact, is_free] = first_impact(world, problem, island);
-        const bool is_halved = impact == 0 && std::any_of(island.pairs.begin(), island.pairs.end(),
-                                                          std::ref(overlaps_anew));
+        const bool is_halved =
+            impact == 0 && !is_at_limit &&
+            std::any_of(island.pairs.begin(), island.pairs.end(), std::ref(overlaps_anew));
         if (impact == 0 && !is_halved) continue;
+        Divisions divisions = before;
+        ++(is_halved ? divisions.in_the_middle : divisions.at_impacts);
         IslandWorld part = part_of(world, island, candidates.contacts);
         if (is_free) {
             fly_freely(part.world, impact);
-            take_substeps(part, step, std::array{h - impact}, refined);
+            take_substeps(part, step, divisions, std::array{h - impact}, refined);
         } else {
             const double first = is_halved ? h / 2 : impact;
-            take_substeps(part, step, std::array{first, h - first}, refined);
+            take_substeps(part, step, divisions, std::array{first, h - first}, refined);
         }
         for (std::size_t k = 0; k < part.bodies.size(); ++k)
             if (!part.world.bodies[k].is_static)

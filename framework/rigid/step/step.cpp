@@ -53,23 +53,17 @@ void apply_forces(ContactProblem& problem, const World& world, const std::vector
 // whose bodies fly about at high speeds, as wrong formulas may make them.
 constexpr int most_halvings = 6;
 
-std::vector<ContactRecord> step(World& world, double time_step, int divisions);
-
-// A function that advances a world by a part of a divided step.
-// @param divisions  the number of divisions from the original step to the one that is divided now
-Step step_of_parts(int divisions)
-{
-    return
-        [divisions](World& part, double time_step) { return step(part, time_step, divisions + 1); };
-}
+// A step, or a part of one that was divided.
+// @param divisions  the divisions that have led to this part
+std::vector<ContactRecord> step_divided(World& world, double time_step, const Divisions& divisions);
 
 // The step of the whole world in two halves. A contact is listed once for each half in which it got
 // an impulse.
-std::vector<ContactRecord> step_in_halves(World& world, double time_step, int divisions)
+std::vector<ContactRecord> step_in_halves(World& world, double time_step, Divisions divisions)
 {
-    const Step half = step_of_parts(divisions);
-    std::vector<ContactRecord> records = half(world, time_step / 2);
-    const std::vector<ContactRecord> second = half(world, time_step / 2);
+    ++divisions.in_the_middle;
+    std::vector<ContactRecord> records = step_divided(world, time_step / 2, divisions);
+    const std::vector<ContactRecord> second = step_divided(world, time_step / 2, divisions);
     records.insert(records.end(), second.begin(), second.end());
     --world.counters.steps; // the halves do not count as steps
     return records;
@@ -102,8 +96,7 @@ Flight fly_and_find_contacts(World& world, const std::vector<bool>& forced, doub
     }
 }
 
-// @param divisions  the number of divisions from the original step to this one; 0: not divided
-std::vector<ContactRecord> step(World& world, double time_step, int divisions)
+std::vector<ContactRecord> step_divided(World& world, double time_step, const Divisions& divisions)
 {
     // Only the reference's formulas are known to be thread-safe. With any other implementation, the
     // step runs on one thread.
@@ -130,11 +123,9 @@ std::vector<ContactRecord> step(World& world, double time_step, int divisions)
     update_positions(world, problem, pulled, after_collisions, by_mean, displacements,
                      result.states);
     result.records = bounce_at_impacts(world, problem, pulled, displacements, result.states);
-    Refinement refined;
-    if (divisions < most_divisions)
-        refined = refine_by_substeps(world, problem, pulled, candidates, result.states,
-                                     step_of_parts(divisions));
-    if (divisions < most_halvings &&
+    const Refinement refined = refine_by_substeps(world, problem, pulled, candidates, result.states,
+                                                  divisions, step_divided);
+    if (divisions.all() < most_halvings &&
         has_missed_contact(world, problem, candidates, flown, result.states)) {
         world.counters = before; // only the halves count
         return step_in_halves(world, time_step, divisions);
@@ -149,7 +140,7 @@ std::vector<ContactRecord> step(World& world, double time_step, int divisions)
 std::vector<ContactRecord> step(World& world, double time_step)
 {
     if (is_single_body(world)) return step_single_body(world, time_step);
-    return step(world, time_step, 0);
+    return step_divided(world, time_step, {});
 }
 
 } // namespace rigor
