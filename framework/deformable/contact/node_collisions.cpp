@@ -14,6 +14,10 @@ namespace rigor {
 
 namespace {
 
+// Share of the penetration that a step removes. It is small enough that resting nodes do not
+// jitter.
+constexpr double corrected_share = 0.2;
+
 // A node as a rigid body: a point mass at the position of the node.
 Body node_body(const Deformable& solid, int node, double inverse_mass)
 {
@@ -54,7 +58,8 @@ void collide_nodes(Deformable& solid, const std::vector<HeldAxes>& held,
         const Vector3d x = solid.positions[c.node], n = c.normal;
         const std::optional<FreeNormal> free = free_normal(held[c.node], n);
         const double inverse_mass = free ? 1 / solid.masses[c.node] : 0;
-        const Body& body = rigid.bodies[c.body];
+        const Mover& mover = rigid.mover(c.body);
+        const Body& body = mover.body;
         if (inverse_mass == 0 && body.is_static()) continue;
         const Vector3d v = relative_velocity(node_body(solid, c.node, inverse_mass), body, x);
         const double v_n = v.dot(n);
@@ -69,9 +74,7 @@ void collide_nodes(Deformable& solid, const std::vector<HeldAxes>& held,
         if (held[c.node].any() && body.is_static()) {
             j = impulse_along_free_axes(held[c.node], *free, inverse_mass, closing, c, restitution);
         } else {
-            const Matrix3d K =
-                inverse_mass * held[c.node].free_axes() +
-                impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
+            const Matrix3d K = inverse_mass * held[c.node].free_axes() + mover.impulse_matrix_at(x);
             j = collision_impulse(K, closing, n, restitution, c.friction);
         }
         solid.velocities[c.node] += inverse_mass * held[c.node].free_part(j);
@@ -80,12 +83,47 @@ void collide_nodes(Deformable& solid, const std::vector<HeldAxes>& held,
     }
 }
 
+void push_by_held_nodes(const Deformable& solid, const std::vector<HeldAxes>& held,
+                        const NodeContacts& contacts, RigidColliders& rigid, double time_step,
+                        Counters& counters)
+{
+    constexpr int sweeps = 30;
+    std::vector<const NodeContact*> fixed;
+    for (const NodeContact& c : contacts.all())
+        if (!free_normal(held[c.node], c.normal) && !rigid.mover(c.body).body.is_static())
+            fixed.push_back(&c);
+    if (fixed.empty()) return;
+    rigid.fall(time_step); // to the velocities at the end of the step
+    std::vector<Vector3d> impulses(fixed.size(), Vector3d::Zero()); // on the bodies [N s]
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (std::size_t k = 0; k < fixed.size(); ++k) {
+            const NodeContact& c = *fixed[k];
+            const Vector3d x = solid.positions[c.node], n = -c.normal; // n: towards the body
+            const Mover& mover = rigid.mover(c.body);
+            const Body& body = mover.body;
+            const Matrix3d K = mover.impulse_matrix_at(x);
+            const Vector3d v = relative_velocity(body, node_body(solid, c.node, 0), x);
+            const double share = c.gap > 0 ? 1 : corrected_share, v_n = n.dot(v);
+            const double j_n = std::max(
+                n.dot(impulses[k]) - (v_n + share * c.gap / time_step) / n.dot(K * n), 0.0);
+            // The trace of K is at least its eigenvalue for any direction, so this never
+            // overshoots.
+            Vector3d j_t = impulses[k] - (v - v_n * n) / K.trace();
+            j_t -= n.dot(j_t) * n;
+            const double most = c.friction * j_n;
+            if (j_t.norm() > most) j_t *= most / j_t.norm();
+            const Vector3d j = j_n * n + j_t;
+            rigid.push(c.body, x, j - impulses[k]);
+            impulses[k] = j;
+        }
+    rigid.fall(-time_step);
+    for (const Vector3d& impulse : impulses)
+        if (!impulse.isZero(0)) ++counters.node_impulses;
+}
+
 void correct_node_positions(Deformable& solid, const std::vector<HeldAxes>& held,
                             const NodeContacts& contacts, double step_share, double farthest)
 {
-    // Share of the penetration that a step removes. It is small enough that resting nodes do not
-    // jitter.
-    constexpr double corrected_share = 0.2;
     for (const NodeContact& c : contacts.all()) {
         if (c.gap >= 0) continue;
         const std::optional<FreeNormal> free = free_normal(held[c.node], c.normal);

@@ -22,6 +22,14 @@ void collide_nodes(Deformable& solid, const std::vector<HeldAxes>& held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters);
 
+/// Keeps bodies out of the nodes that handles keep from moving along the normal, in an implicit
+/// step after the velocities of the nodes have been solved for: sequential impulses with Coulomb's
+/// law (Catto 2005, "Iterative dynamics with temporal coherence"). A body that is inside such a
+/// node is pushed out by a share of the depth in each step.
+void push_by_held_nodes(const Deformable& solid, const std::vector<HeldAxes>& held,
+                        const NodeContacts& contacts, RigidColliders& rigid, double time_step,
+                        Counters& counters);
+
 /// Position correction: moves nodes that are inside rigid bodies outwards, along the coordinates
 /// that no handle prescribes, without changing velocities. The penetration is that of the latest
 /// `NodeContacts::measure`, before the nodes moved.

@@ -23,7 +23,7 @@ Bounds bounds_of_nodes(const Deformable& solid)
 }
 
 // An estimate of the largest distance by which a node can approach a body within a step [m].
-double reach_of(const Deformable& solid, const Body& body, double radius, const Vector3d& gravity,
+double reach_of(const Deformable& solid, const RigidColliders& rigid, int body, double radius,
                 double time_step)
 {
     // This factor enlarges the result, because nodes may get faster within the step. Chosen by
@@ -32,11 +32,14 @@ double reach_of(const Deformable& solid, const Body& body, double radius, const 
     // Above this radius [m] the rotation of the body is left out. A body with a plane does not
     // rotate, but its radius is infinite, and 0 times infinity is NaN.
     constexpr double unbounded = 1e9;
+    const Vector3d V = rigid.velocity_of(body);
     double speed = 0;
     for (const Vector3d& v : solid.velocities)
-        speed = std::max(speed, (v - body.velocity).norm());
-    if (radius < unbounded) speed += body.angular_velocity.norm() * radius;
-    return for_acceleration * time_step * (speed + 2 * time_step * gravity.norm());
+        speed = std::max(speed, (v - V).norm());
+    if (radius < unbounded) speed += rigid.mover(body).body.angular_velocity.norm() * radius;
+    const double fall = std::max(time_step * rigid.world.settings.gravity.norm(),
+                                 time_step * rigid.mover(body).acceleration.norm());
+    return for_acceleration * time_step * (speed + 2 * fall);
 }
 
 } // namespace
@@ -46,15 +49,14 @@ void NodeContacts::find(const Deformable& solid, const std::vector<char>& is_sur
 {
     parts_.clear();
     contacts_.clear();
-    if (rigid.bodies.empty()) return;
+    if (rigid.surfaces.empty()) return;
     const Bounds bounds = bounds_of_nodes(solid);
-    for (int b = 0; b < static_cast<int>(rigid.bodies.size()); ++b) {
+    for (int b = 0; b < static_cast<int>(rigid.surfaces.size()); ++b) {
         const RigidBody& body = rigid.world.bodies[b];
         const Material both = combined(solid.material.surface, body.material);
         for (const Part& part : body.parts) {
             const Pose pose = part_pose(rigid.surfaces[b], part);
-            const double reach = reach_of(solid, rigid.bodies[b], bounding_radius(part),
-                                          rigid.world.settings.gravity, time_step);
+            const double reach = reach_of(solid, rigid, b, bounding_radius(part), time_step);
             Bounds near = bounds_of(part.shape, pose);
             near.grow(reach);
             if (!near.overlaps(bounds)) continue;

@@ -1,112 +1,120 @@
 // SPDX-License-Identifier: MIT
-// Keeps copies of the rigid bodies during a step of the deformable solids. Impulses act on the
-// copies, substeps move their surfaces, and at the end the new velocities go to the world.
+// Keeps the movers and surfaces of the rigid bodies during a step of the deformable solids.
+// Impulses act on the movers, substeps move the surfaces, and at the end the impulses become forces
+// of the step of the rigid bodies. As forces they act at the same time as gravity and as the
+// contacts of the rigid bodies, so that what rests on a solid, alone or with others on top, does
+// not move.
 #include "deformable/contact/rigid_colliders.hpp"
 
-#include "formulas/collision.hpp"
 #include "rigid/bodies/orientation.hpp"
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/sleep.hpp"
 
-#include <utility>
+#include <algorithm>
 
 namespace rigor {
 
-namespace {
-
-Body collider_in_world(const World& world, const RigidBody& rigid)
+RigidColliders::RigidColliders(const World& of, double time_step)
+    : world(of), time_step_(time_step), movers_(movers_of(of, time_step)),
+      pushed_(of.bodies.size()), pushed_in_substeps_(movers_.all.size(), 0),
+      has_reached_(movers_.all.size(), 0), first_force_(of.forces.size())
 {
-    Body body = body_in_world(world.settings.integrator, rigid);
-    if (rigid.is_static && rigid.drive) {
-        const DriveVelocity driven = drive_velocity(*rigid.drive, world.time);
-        body.velocity = driven.linear;
-        body.angular_velocity = driven.angular;
-    }
-    return body;
-}
-
-} // namespace
-
-RigidColliders::RigidColliders(const World& of)
-    : world(of), is_pushed(of.bodies.size(), 0), is_supported(of.bodies.size(), 0),
-      reached_(of.bodies.size())
-{
-    bodies.reserve(of.bodies.size());
     surfaces.reserve(of.bodies.size());
-    for (std::size_t i = 0; i < of.bodies.size(); ++i) {
-        const RigidBody& rigid = of.bodies[i];
-        bodies.push_back(collider_in_world(of, rigid));
+    for (const RigidBody& rigid : of.bodies)
         surfaces.push_back(
             {body_rotation(of.settings.integrator, rigid.state), rigid.state.position});
-        is_supported[i] = rigid.rest.is_asleep();
-    }
-    for (const WarmContact& c : of.memory.warm_contacts)
-        is_supported[c.body1] = is_supported[c.body2] = 1;
+}
+
+Vector3d RigidColliders::velocity_of(int body) const
+{
+    const Body& m = mover(body).body;
+    return m.velocity + m.angular_velocity.cross(world.bodies[body].state.position - m.position);
 }
 
 void RigidColliders::advance(double time_step)
 {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (bodies[i].is_static() && !world.bodies[i].changes_place()) continue;
-        const Vector3d turn = time_step * bodies[i].angular_velocity;
+    for (int i = 0; i < static_cast<int>(surfaces.size()); ++i) {
+        const Body& m = mover(i).body;
+        if (m.is_static() && !world.bodies[i].changes_place()) continue;
+        const Vector3d turn = time_step * m.angular_velocity;
         const double angle = turn.norm();
-        surfaces[i].X += time_step * bodies[i].velocity;
+        surfaces[i].X += time_step * velocity_of(i);
         if (angle > 0) surfaces[i].R = Eigen::AngleAxisd(angle, turn / angle) * surfaces[i].R;
     }
 }
 
 void RigidColliders::fall(double time)
 {
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (!bodies[i].is_static() && !is_supported[i])
-            bodies[i].velocity += time * world.settings.gravity;
+    for (Mover& mover : movers_.all) {
+        mover.body.velocity += time * mover.acceleration;
+        mover.body.angular_velocity += time * mover.angular_acceleration;
+    }
 }
 
 void RigidColliders::begin_substeps()
 {
-    pushed_before_ = std::exchange(is_pushed, std::vector<char>(bodies.size(), 0));
+    std::fill(pushed_in_substeps_.begin(), pushed_in_substeps_.end(), 0);
 }
 
-void RigidColliders::end_substeps(double time_step)
+void RigidColliders::end_substeps()
 {
-    fall(-time_step);
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (is_pushed[i]) reached_[i] = surfaces[i].X;
-        is_pushed[i] |= pushed_before_[i];
+    fall(-time_step_);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if (!pushed_in_substeps_[movers_.of[i]]) continue;
+        has_reached_[movers_.of[i]] = 1;
+        pushed_[i].reached = surfaces[i].X;
     }
 }
 
 void RigidColliders::push(int body, const Vector3d& point, const Vector3d& impulse)
 {
-    if (bodies[body].is_static()) return;
-    bodies[body] = apply_impulse(bodies[body], point, impulse);
-    is_pushed[body] = 1;
-    reached_[body].reset();
+    const RigidBody& rigid = world.bodies[body];
+    if (rigid.is_static) return;
+    Pushed& pushed = pushed_[body];
+    pushed.impulse += impulse;
+    pushed.moment += (point - rigid.state.position).cross(impulse);
+    pushed.is_pushed = true;
+    const int number = movers_.of[body];
+    pushed_in_substeps_[number] = 1;
+    has_reached_[number] = 0;
+    movers_.all[number].push(point, impulse);
 }
 
 // The nodes of an implicit solid move with their velocities at the end of the step. A body that
-// only nodes carry has to move in the same way, so that it stays on them: by h V + h² g, with the
-// velocity V after the impulses. The nodes of an explicit solid have moved beside the body in
-// substeps, so the body has to come where these have brought it. The step of the rigid bodies will
-// move it by h V + ½ h² g if the integrator follows a parabola, and by h V + h² g if it is
+// only nodes carry has to move in the same way, so that it stays on them: by h V, with the velocity
+// V at the end of the step. The nodes of an explicit solid have moved beside the body in substeps,
+// so the body has to come where these have brought it. By the forces of the step alone, it would
+// move by h V₀ + p h (V - V₀), where p is ½ if the integrator follows a parabola, and 1 for
 // symplectic Euler. The result is the difference.
-Vector3d RigidColliders::lack_of_motion(std::size_t body, double h) const
+Vector3d RigidColliders::lack_of_motion(int body) const
 {
-    const Vector3d& g = world.settings.gravity;
-    const double part = fall_in_step(world.settings.integrator);
-    if (!reached_[body]) return (1 - part) * h * h * g;
-    return *reached_[body] - world.bodies[body].state.position -
-           (h * bodies[body].velocity + part * h * h * g);
+    const double p = fall_in_step(world.settings.integrator_under_forces()), h = time_step_;
+    const RigidState& state = world.bodies[body].state;
+    const Mover& m = mover(body);
+    const Vector3d r = state.position - m.body.position,
+                   V = velocity_of(body) + h * (m.acceleration + m.angular_acceleration.cross(r)),
+                   V0 = state.velocity;
+    const Vector3d motion = has_reached_[movers_.of[body]]
+                                ? Vector3d(pushed_[body].reached - state.position)
+                                : Vector3d(h * V);
+    return motion - (h * V0 + p * h * (V - V0));
 }
 
-void RigidColliders::apply_to(World& to, double time_step) const
+void RigidColliders::apply_to(World& to) const
 {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (!is_pushed[i]) continue;
-        if (to.bodies[i].rest.is_asleep()) wake(to, {static_cast<int>(i)});
-        if (!is_supported[i]) to.bodies[i].state.position += lack_of_motion(i, time_step);
-        to.bodies[i].state.velocity = bodies[i].velocity;
-        to.bodies[i].state.angular_momentum = bodies[i].angular_momentum;
+    std::vector<char> is_mover_pushed(movers_.all.size(), 0);
+    for (std::size_t i = 0; i < pushed_.size(); ++i)
+        if (pushed_[i].is_pushed) is_mover_pushed[movers_.of[i]] = 1;
+    for (int i = 0; i < static_cast<int>(pushed_.size()); ++i) {
+        if (is_mover_pushed[movers_.of[i]] && !mover(i).body.is_static() && !mover(i).is_carried)
+            to.bodies[i].state.position += lack_of_motion(i);
+        if (!pushed_[i].is_pushed) continue;
+        if (to.bodies[i].rest.is_asleep()) wake(to, {i});
+        AppliedForce nodes;
+        nodes.body = i;
+        nodes.force = pushed_[i].impulse / time_step_;
+        nodes.torque = pushed_[i].moment / time_step_;
+        to.forces.push_back(nodes);
     }
 }
 

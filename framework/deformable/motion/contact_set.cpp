@@ -32,7 +32,7 @@ constexpr double largest_damping = 1e3;
 
 Vector3d ContactSet::arm(const NodeContact& c) const
 {
-    return step_->solid.positions[c.node] - step_->rigid.bodies[c.body].position;
+    return step_->solid.positions[c.node] - step_->rigid.mover(c.body).body.position;
 }
 
 void ContactSet::guess(const ContactStep& step)

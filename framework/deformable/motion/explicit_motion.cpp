@@ -111,7 +111,7 @@ void move_explicitly(const NodeMotion& motion)
         for (const HeldNode& held : work.held)
             work.held_axes[held.node] = {};
     }
-    motion.rigid.end_substeps(step);
+    motion.rigid.end_substeps();
 }
 
 } // namespace rigor

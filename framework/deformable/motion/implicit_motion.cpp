@@ -168,6 +168,7 @@ void move_implicitly(const NodeMotion& motion)
 
     push_bodies(motion);
     solid.velocities = work.velocity_system.velocities;
+    push_by_held_nodes(solid, work.held_axes, work.contacts, motion.rigid, h, motion.counters);
     for (std::size_t i = 0; i < solid.positions.size(); ++i)
         solid.positions[i] += h * solid.velocities[i];
     correct_node_positions(solid, work.held_axes, work.contacts, 1, h * motion.radius);

@@ -8,15 +8,17 @@ namespace rigor {
 void JoinedBodies::join(const RigidColliders& rigid, const std::vector<NodeContact>& contacts,
                         double time_step)
 {
-    numbers_.assign(rigid.bodies.size(), -1);
+    const int bodies = static_cast<int>(rigid.surfaces.size());
+    numbers_.assign(bodies, -1);
     before_.clear();
     for (const NodeContact& c : contacts) {
-        const Body& body = rigid.bodies[c.body];
-        if (body.is_static() || numbers_[c.body] >= 0 || rigid.is_supported[c.body]) continue;
-        numbers_[c.body] = static_cast<int>(before_.size());
-        before_.push_back({1 / body.inverse_mass, body.inverse_inertia.inverse(),
-                           body.velocity + time_step * rigid.world.settings.gravity,
-                           body.angular_velocity});
+        if (numbers_[c.body] >= 0 || rigid.mover(c.body).body.is_static()) continue;
+        for (int i = 0; i < bodies; ++i)
+            if (rigid.mover_number(i) == rigid.mover_number(c.body))
+                numbers_[i] = static_cast<int>(before_.size());
+        const Mover& mover = rigid.mover(c.body);
+        before_.push_back({mover.mass, mover.body.velocity + time_step * mover.acceleration,
+                           mover.body.angular_velocity + time_step * mover.angular_acceleration});
     }
 }
 
@@ -42,7 +44,8 @@ Vector3d JoinedBodies::velocity(const RigidColliders& rigid, int body, const Vec
                                 const std::vector<SystemBody>& bodies) const
 {
     const int number = numbers_[body];
-    return number < 0 ? rigid.bodies[body].velocity + rigid.bodies[body].angular_velocity.cross(r)
+    const Body& mover = rigid.mover(body).body;
+    return number < 0 ? mover.velocity + mover.angular_velocity.cross(r)
                       : bodies[number].V + bodies[number].w.cross(r);
 }
 

@@ -9,11 +9,9 @@ namespace rigor {
 
 class JoinedBodies {
 public:
-    /// Finds the bodies that join the system: dynamic bodies that touch the solid or may touch it
-    /// in this step. Each starts with the velocity that it would have at the end of the step if
-    /// only gravity acted. A body that sleeps or that other rigid bodies hold
-    /// (`RigidColliders::is_supported`) does not join: its velocity is taken as given, because it
-    /// passes the impulses on to its supports.
+    /// Finds the bodies that join the system: the movers of the bodies that touch the solid or may
+    /// touch it in this step. Each starts with the velocity that it would have at the end of the
+    /// step without the solid. A static mover does not join: its velocity is given.
     void join(const RigidColliders& rigid, const std::vector<NodeContact>& contacts,
               double time_step);
 
@@ -25,10 +23,10 @@ public:
     /// `ImplicitSystem::solve`
     std::vector<SystemBody>& restart();
 
-    /// Velocity of the point at r from the center of a body [m/s], before contacts act.
+    /// Velocity of the point at r from the center of a body's mover [m/s], before contacts act.
     Vector3d velocity_before(const RigidColliders& rigid, int body, const Vector3d& r) const;
-    /// Velocity of the point at r from the center of a body [m/s], after the latest solve that
-    /// contained the joined bodies.
+    /// Velocity of the point at r from the center of a body's mover [m/s], after the latest solve
+    /// that contained the joined bodies.
     Vector3d velocity_after(const RigidColliders& rigid, int body, const Vector3d& r) const;
 
 private:

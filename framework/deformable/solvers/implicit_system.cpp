@@ -12,6 +12,17 @@ namespace rigor {
 
 using Vectors = std::vector<Vector3d>;
 
+namespace {
+
+// (P, L) = mass · (V, ω). `momentum` points to P and L.
+void set_momentum(const Matrix6d& mass, const Vector3d& V, const Vector3d& w, Vector3d* momentum)
+{
+    momentum[0] = mass.topLeftCorner<3, 3>() * V + mass.topRightCorner<3, 3>() * w;
+    momentum[1] = mass.bottomLeftCorner<3, 3>() * V + mass.bottomRightCorner<3, 3>() * w;
+}
+
+} // namespace
+
 void ImplicitSystem::analyse(const Elements& elements, int nodes)
 {
     matrix_.analyse(elements, nodes);
@@ -35,8 +46,8 @@ void ImplicitSystem::multiply(const Vectors& x, Vectors& y) const
 {
     matrix_.multiply(*active_, x, y);
     for (std::size_t b = 0; b < bodies_->size(); ++b) {
-        y[nodes_ + 2 * b] = (*bodies_)[b].mass * x[nodes_ + 2 * b];
-        y[nodes_ + 2 * b + 1] = (*bodies_)[b].inertia * x[nodes_ + 2 * b + 1];
+        set_momentum((*bodies_)[b].mass, x[nodes_ + 2 * b], x[nodes_ + 2 * b + 1],
+                     &y[nodes_ + 2 * b]);
     }
 }
 
@@ -133,8 +144,7 @@ void ImplicitSystem::prepare_preconditioner(const std::vector<SystemBody>& bodie
             inverse_diagonal_[i] = matrix_.diagonal(i).inverse();
     inverse_bodies_.assign(bodies.size(), Matrix6d::Zero());
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        inverse_bodies_[b].topLeftCorner<3, 3>() = bodies[b].mass * Matrix3d::Identity();
-        inverse_bodies_[b].bottomRightCorner<3, 3>() = bodies[b].inertia;
+        inverse_bodies_[b] = bodies[b].mass;
     }
     for (const TiedNode& t : *tied_) {
         const Matrix3d& A = matrix_.diagonal(t.node);
@@ -199,8 +209,7 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         x_[nodes_ + 2 * i] = bodies[i].V;
         x_[nodes_ + 2 * i + 1] = bodies[i].w;
-        r_[nodes_ + 2 * i] = bodies[i].mass * bodies[i].V;
-        r_[nodes_ + 2 * i + 1] = bodies[i].inertia * bodies[i].w;
+        set_momentum(bodies[i].mass, bodies[i].V, bodies[i].w, &r_[nodes_ + 2 * i]);
     }
     expand(x_);
     for (const TiedNode& t : tied) {
@@ -234,7 +243,10 @@ int ImplicitSystem::iterate(double enough)
     reduce(r_);
     precondition(r_, z_);
     for_each([&](int i) { p_[i] = z_[i]; });
-    double rz = dot(r_, z_);
+    double rz = dot(r_, z_), least = rz;
+    // Where rounding errors keep r·z above `enough`, as in a solid that hardly moves, it does not
+    // stay where it is but grows without end. This growth ends the iterations.
+    constexpr double most_growth = 1e4;
     const int most = 10 * static_cast<int>(active_->size() + 2 * bodies_->size()) + 100;
     int iterations = 0;
     for (; rz > enough && iterations < most; ++iterations) {
@@ -251,6 +263,8 @@ int ImplicitSystem::iterate(double enough)
         });
         precondition(r_, z_);
         const double rz_new = dot(r_, z_);
+        least = std::min(least, rz_new);
+        if (!(rz_new <= most_growth * least)) break;
         const double beta = rz_new / rz;
         rz = rz_new;
         for_each([&](int i) { p_[i] = z_[i] + beta * p_[i]; });

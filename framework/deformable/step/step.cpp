@@ -2,7 +2,7 @@
 // Advances a world by one time step. For each solid it moves the nodes with their contacts, then
 // lets the elements flow plastically at the new places of the nodes (unless they flowed in each
 // explicit substep), then separates elements that stay inverted or, if there are none, opens
-// cracks. Last comes the step of the rigid bodies, with the velocities that the solids gave them.
+// cracks. Last comes the step of the rigid bodies, with the impulses of the nodes as forces.
 #include "deformable/step/step.hpp"
 
 #include "deformable/elasticity/flow.hpp"
@@ -77,7 +77,7 @@ void move(Deformable& solid, RigidColliders& rigid, World& world, double time_st
 std::vector<ContactRecord> step(DeformableWorld& world, double time_step)
 {
     if (!world.solids.empty()) {
-        RigidColliders rigid(world.rigid);
+        RigidColliders rigid(world.rigid, time_step);
         const std::vector<Pose> surfaces = rigid.surfaces;
         for (Deformable& solid : world.solids) {
             remember_first_places(solid);
@@ -85,7 +85,10 @@ std::vector<ContactRecord> step(DeformableWorld& world, double time_step)
             require_finite(solid, world.rigid.time + time_step);
             rigid.surfaces = surfaces;
         }
-        rigid.apply_to(world.rigid, time_step);
+        rigid.apply_to(world.rigid);
+        std::vector<ContactRecord> records = step(world.rigid, time_step);
+        rigid.end_forces(world.rigid);
+        return records;
     }
     return step(world.rigid, time_step);
 }

@@ -78,6 +78,8 @@ double height_of_rest(Integrator integrator, double step_length)
     block.handles.push_back(ground);
     RigidBody& box = world.rigid.bodies[1];
     box.material.friction = 0;
+    box.parts[0].shape = Box{{0.6, 0.5, 0.6}}; // wider than the block, so that no node leaves it
+    set_mass_from_parts(box);
     box.state.position = {0, highest + 0.25, 0};
     world.rigid.settings.integrator = integrator;
     while (world.rigid.time < 4)

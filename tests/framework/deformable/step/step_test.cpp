@@ -42,10 +42,10 @@ DeformableWorld falling_splinters(unsigned seed)
     material.surface = {0, 0.6};
     Deformable block = make_deformable("splinters", block_tetrahedra({0.4, 0.4, 0.4}, {2, 2, 2}),
                                        material, random.rotation(), Vector3d(0, 0.5, 0));
-    const Vector3d axis = random.unit_vector();
     for (std::size_t i = 0; i < block.positions.size(); ++i)
         block.velocities[i] =
-            Vector3d(1, -2, 0) + 3 * axis.cross(block.positions[i] - Vector3d(0, 0.5, 0));
+            Vector3d(1, -2, 0) +
+            3 * random.unit_vector().cross(block.positions[i] - Vector3d(0, 0.5, 0));
     std::vector<MeshFace> faces;
     for (int t = 0; t < static_cast<int>(block.rest.tetrahedra.size()); ++t)
         for (int f = 0; f < 4; ++f)
