@@ -8,9 +8,12 @@
 #include "formulas/collision.hpp"
 #include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/orientation.hpp"
+#include "rigid/bodies/union_find.hpp"
 #include "rigid/motion/forces.hpp"
+#include "rigid/motion/free_flight.hpp"
 
-#include <numeric>
+#include <algorithm>
+#include <tuple>
 
 namespace rigor {
 
@@ -32,45 +35,27 @@ Body collider_in_world(const World& world, const RigidBody& rigid)
     return body;
 }
 
-// The net wrench of gravity, springs, applied forces and drag on each body, at the start of the
-// step.
-std::vector<Wrench> loads_of(const World& world, double time_step)
+// The mean force and torque of gravity, springs, applied forces and drag on each body during the
+// step, as they change its velocity if it touches nothing. So stiff springs, of which the
+// integrator takes many substeps in a step, have no more effect than they would have.
+std::vector<Wrench> loads_of(World& world, double time_step)
 {
     std::vector<Wrench> loads(world.bodies.size());
-    std::vector<int> pulled;
-    const std::vector<bool> is_pulled = with_dragged_bodies(pulled_bodies(world, time_step), world);
-    std::vector<RigidState> states;
-    for (std::size_t i = 0; i < loads.size(); ++i) {
-        states.push_back(world.bodies[i].state);
+    for (std::size_t i = 0; i < loads.size(); ++i)
         loads[i].force = world.bodies[i].mass * world.settings.gravity;
-        if (is_pulled[i]) pulled.push_back(static_cast<int>(i));
+    const std::vector<bool> pulled = with_dragged_bodies(pulled_bodies(world, time_step), world);
+    if (std::find(pulled.begin(), pulled.end(), true) == pulled.end()) return loads;
+    const Counters before = world.counters;
+    const std::vector<RigidState> flown = fly_all(world, pulled, time_step, world.pool);
+    world.counters = before; // this flight is only a prediction
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+        if (!pulled[i]) continue;
+        const RigidState& state = world.bodies[i].state;
+        loads[i].force = world.bodies[i].mass / time_step * (flown[i].velocity - state.velocity);
+        loads[i].torque = (flown[i].angular_momentum - state.angular_momentum) / time_step;
     }
-    if (pulled.empty()) return loads;
-    AppliedWrenches wrenches(world, pulled);
-    const std::vector<Wrench>& all = wrenches.at(states, world.time + time_step / 2, world.time);
-    for (std::size_t k = 0; k < pulled.size(); ++k)
-        loads[pulled[k]] = all[k];
     return loads;
 }
-
-// Groups of numbers that are connected by pairs (union-find).
-class Groups {
-public:
-    explicit Groups(std::size_t size) : parents_(size)
-    {
-        std::iota(parents_.begin(), parents_.end(), 0);
-    }
-    int of(int i)
-    {
-        while (parents_[i] != i)
-            i = parents_[i] = parents_[parents_[i]];
-        return i;
-    }
-    void connect(int i, int k) { parents_[of(i)] = of(k); }
-
-private:
-    std::vector<int> parents_;
-};
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
@@ -89,10 +74,10 @@ Vector6d stacked(const Vector3d& a, const Vector3d& b)
     return both;
 }
 
-// Whether a body has all six degrees of freedom, so that it can be a part of a mover.
-bool moves_freely(const Body& body)
+// Whether a body has all six degrees of freedom.
+bool moves_freely(const RigidBody& rigid, const Body& body)
 {
-    return !body.is_static() && body.inverse_inertia.determinant() > 0;
+    return !body.is_static() && !rigid.only_axis && rigid.inverse_moments.minCoeff() > 0;
 }
 
 // A rigid body that holds against a body: where, and in which direction.
@@ -102,112 +87,116 @@ struct Support {
 
 // Sets the mass and the accelerations. Where rigid bodies hold against the mover, its mass is very
 // large, and so it is about an axis about which it cannot turn.
-void set_mass(Mover& mover, const std::vector<Support>& supports, const Wrench& load)
+// @param turns  whether it can turn about every axis
+void set_mass(Mover& mover, bool turns, const std::vector<Support>& supports, const Wrench& load)
 {
-    constexpr double very_large = 1e8; // times the mass of the body, at a radius of 1 m
+    // Times the mass of the body. With more, the linear system would be solved less accurately;
+    // with this the body yields by a hundredth of a millimetre in a step.
+    constexpr double very_large = 1e5;
     const Body& body = mover.body;
     const double m = 1 / body.inverse_mass;
     const Matrix3d& I_inv = body.inverse_inertia;
     mover.mass.setZero();
     mover.mass.topLeftCorner<3, 3>() = m * Matrix3d::Identity();
     mover.mass.bottomRightCorner<3, 3>() =
-        I_inv.determinant() > 0
-            ? Matrix3d(I_inv.inverse())
-            : Matrix3d((I_inv + Matrix3d::Identity() / (very_large * m)).inverse());
+        turns ? Matrix3d(I_inv.inverse())
+              : Matrix3d((I_inv + Matrix3d::Identity() / (very_large * m)).inverse());
+    mover.free_mass = mover.mass;
     mover.is_carried = !supports.empty();
     for (const Support& support : supports) {
         const Vector6d s = jacobian(support.point - body.position).transpose() * support.direction;
         mover.mass += very_large * m * s * s.transpose();
+        mover.supports.push_back(support.direction);
     }
-    mover.inverse_mass = mover.mass.ldlt().solve(Matrix6d::Identity());
     mover.acceleration = body.inverse_mass * load.force;
     mover.angular_acceleration = I_inv * load.torque;
     if (!mover.is_carried) return;
+    mover.inverse_mass = mover.mass.ldlt().solve(Matrix6d::Identity());
     const Vector6d a = mover.inverse_mass * stacked(load.force, load.torque);
     mover.acceleration = a.head<3>();
     mover.angular_acceleration = a.tail<3>();
 }
 
 // One rigid body with the mass, the momentum and the angular momentum of its members.
-Mover joined(const World& world, const std::vector<int>& members, const std::vector<Wrench>& loads)
+Mover joined(const std::vector<Body>& bodies, const std::vector<int>& members,
+             const std::vector<Wrench>& loads)
 {
     double M = 0;
     Vector3d X = Vector3d::Zero(), P = Vector3d::Zero(), F = Vector3d::Zero();
-    std::vector<Body> bodies;
     for (const int i : members) {
-        bodies.push_back(body_in_world(world.settings.integrator, world.bodies[i]));
-        const double m = 1 / bodies.back().inverse_mass;
+        const double m = 1 / bodies[i].inverse_mass;
         M += m;
-        X += m * bodies.back().position;
-        P += m * bodies.back().velocity;
+        X += m * bodies[i].position;
+        P += m * bodies[i].velocity;
         F += loads[i].force;
     }
     X /= M;
+    const Vector3d V = P / M;
     Matrix3d I = Matrix3d::Zero();
     Vector3d L = Vector3d::Zero(), T = Vector3d::Zero();
-    for (std::size_t k = 0; k < members.size(); ++k) {
-        const Body& body = bodies[k];
+    for (const int i : members) {
+        const Body& body = bodies[i];
         const double m = 1 / body.inverse_mass;
         const Vector3d r = body.position - X;
         I += body.inverse_inertia.inverse() +
              m * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
-        L += body.angular_momentum + m * r.cross(body.velocity - P / M);
-        T += loads[members[k]].torque + r.cross(loads[members[k]].force);
+        L += body.angular_momentum + m * r.cross(body.velocity - V);
+        T += loads[i].torque + r.cross(loads[i].force);
     }
     Mover mover;
     mover.body.inverse_mass = 1 / M;
     mover.body.inverse_inertia = I.inverse();
     mover.body.position = X;
-    mover.body.velocity = P / M;
+    mover.body.velocity = V;
     mover.body.angular_momentum = L;
     mover.body.angular_velocity = mover.body.inverse_inertia * L;
-    set_mass(mover, {}, {F, T});
+    set_mass(mover, true, {}, {F, T});
     return mover;
 }
 
-// Which bodies lie on each other, and which groups of them something static carries.
-struct Lying {
-    Groups groups;
-    std::vector<char> stands; // for each group
-};
-
-Lying lying_bodies(const World& world, const std::vector<Body>& bodies)
+// Whether two bodies move as one at a contact: their velocities and their rotations differ by less
+// than gravity changes a velocity in two steps.
+bool moves_with(const Body& body1, const Body& body2, const Vector3d& point, double speed)
 {
-    Lying lying{Groups(bodies.size()), std::vector<char>(bodies.size(), 0)};
-    for (const WarmContact& c : world.memory.warm_contacts)
-        if (moves_freely(bodies[c.body1]) && moves_freely(bodies[c.body2]))
-            lying.groups.connect(c.body1, c.body2);
-    for (const WarmContact& c : world.memory.warm_contacts)
-        for (const auto& [body, other] : {std::pair(c.body1, c.body2), {c.body2, c.body1}})
-            if (!moves_freely(bodies[other])) lying.stands[lying.groups.of(body)] = 1;
-    return lying;
+    const double radius =
+        std::max((point - body1.position).norm(), (point - body2.position).norm());
+    return relative_velocity(body1, body2, point).norm() < speed &&
+           radius * (body1.angular_velocity - body2.angular_velocity).norm() < speed;
 }
 
-// For each body, what holds against it. Only bodies of groups that stand on something have any.
-std::vector<std::vector<Support>> supports_of(const World& world, const std::vector<Body>& bodies,
-                                              const std::vector<Wrench>& loads, Lying& lying)
+// A contact of the step before, between bodies as they are now.
+struct Lying {
+    int body, other;
+    Vector3d point, force; // on `body`
+};
+
+std::vector<Lying> lying_bodies(const World& world, const std::vector<Wrench>& loads)
 {
-    std::vector<std::vector<Support>> supports(bodies.size());
+    // A smaller force, as a share of the load of a body, carries nothing.
+    constexpr double noticeable = 0.01;
+    std::vector<Lying> all;
     for (const WarmContact& c : world.memory.warm_contacts) {
-        const RigidState& state = world.bodies[c.body1].state;
-        const Vector3d point =
-            body_rotation(world.settings.integrator, state) * c.point + state.position;
-        for (const bool is_first : {true, false}) {
-            const int body = is_first ? c.body1 : c.body2, other = is_first ? c.body2 : c.body1;
-            const Vector3d force = is_first ? c.mean_force : Vector3d(-c.mean_force);
-            const bool carries = bodies[other].is_static() || force.dot(loads[body].force) < 0;
-            if (lying.stands[lying.groups.of(body)] && carries && !force.isZero(0))
-                supports[body].push_back({point, force.normalized()});
-        }
+        const Pose pose = pose_of(world.bodies[c.body1].state);
+        const Vector3d point = pose.R * c.point + pose.X;
+        for (const auto& [body, other, sign] :
+             {std::tuple(c.body1, c.body2, 1.0), {c.body2, c.body1, -1.0}})
+            if (c.mean_force.norm() > noticeable * loads[body].force.norm())
+                all.push_back({body, other, point, sign * c.mean_force});
     }
-    return supports;
+    return all;
 }
 
 } // namespace
 
-Matrix3d Mover::impulse_matrix_at(const Vector3d& point) const
+bool Mover::yields(const Vector3d& push) const
 {
-    if (!is_carried)
+    return std::none_of(supports.begin(), supports.end(),
+                        [&](const Vector3d& support) { return support.dot(push) < 0; });
+}
+
+Matrix3d Mover::impulse_matrix_at(const Vector3d& point, const Vector3d& push) const
+{
+    if (yields(push))
         return impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, point);
     const Eigen::Matrix<double, 3, 6> J = jacobian(point - body.position);
     return J * inverse_mass * J.transpose();
@@ -216,7 +205,7 @@ Matrix3d Mover::impulse_matrix_at(const Vector3d& point) const
 void Mover::push(const Vector3d& point, const Vector3d& impulse)
 {
     if (body.is_static()) return;
-    if (!is_carried) {
+    if (yields(impulse)) {
         body = apply_impulse(body, point, impulse);
         return;
     }
@@ -225,22 +214,38 @@ void Mover::push(const Vector3d& point, const Vector3d& impulse)
     body.angular_velocity += change.tail<3>();
 }
 
-Movers movers_of(const World& world, double time_step)
+Movers movers_of(World& world, double time_step)
 {
     const std::size_t n = world.bodies.size();
     const std::vector<Wrench> loads = loads_of(world, time_step);
     std::vector<Body> bodies;
-    for (const RigidBody& rigid : world.bodies)
+    std::vector<char> is_free, stands(n, 0); // of bodies; of groups: whether something carries it
+    for (const RigidBody& rigid : world.bodies) {
         bodies.push_back(collider_in_world(world, rigid));
-    Lying lying = lying_bodies(world, bodies);
-    const std::vector<std::vector<Support>> supports = supports_of(world, bodies, loads, lying);
+        is_free.push_back(moves_freely(rigid, bodies.back()));
+    }
+    const std::vector<Lying> lying = lying_bodies(world, loads);
+    const double speed = 2 * time_step * world.settings.gravity.norm();
+    UnionFind groups(n);
+    for (const Lying& c : lying)
+        if (is_free[c.body] && is_free[c.other] &&
+            moves_with(bodies[c.body], bodies[c.other], c.point, speed))
+            groups.unite(c.body, c.other);
+    for (const Lying& c : lying)
+        if (!is_free[c.other]) stands[groups.find(c.body)] = 1;
 
     std::vector<std::vector<int>> members(n);
     for (std::size_t i = 0; i < n; ++i) {
-        const int group = lying.groups.of(static_cast<int>(i));
-        const bool is_alone = lying.stands[group] || !moves_freely(bodies[i]);
+        const int group = groups.find(static_cast<int>(i));
+        const bool is_alone = stands[group] || !is_free[i];
         members[is_alone ? i : static_cast<std::size_t>(group)].push_back(static_cast<int>(i));
     }
+    std::vector<std::vector<Support>> supports(n);
+    for (const Lying& c : lying)
+        if (stands[groups.find(c.body)] &&
+            (bodies[c.other].is_static() || c.force.dot(loads[c.body].force) < 0))
+            supports[c.body].push_back({c.point, c.force.normalized()});
+
     Movers movers;
     movers.of.resize(n);
     for (const std::vector<int>& together : members) {
@@ -249,14 +254,16 @@ Movers movers_of(const World& world, double time_step)
         for (const int i : together)
             movers.of[i] = static_cast<int>(movers.all.size());
         if (together.size() > 1) {
-            movers.all.push_back(joined(world, together, loads));
+            movers.all.push_back(joined(bodies, together, loads));
             continue;
         }
         Mover alone;
         alone.body = bodies[first];
-        if (!alone.body.is_static()) set_mass(alone, supports[first], loads[first]);
+        if (!alone.body.is_static()) set_mass(alone, is_free[first], supports[first], loads[first]);
         movers.all.push_back(alone);
     }
+    for (Mover& mover : movers.all)
+        mover.start = mover.body;
     return movers;
 }
 

@@ -15,15 +15,21 @@ namespace rigor {
 struct Mover {
     /// Static: a static or driven body, or one that sleeps.
     Body body;
+    Body start;              // before the solids moved
     bool is_carried = false; // whether other rigid bodies hold against it
-    /// The momentum (P, L) is `mass` times (V, ω) [kg, kg m, kg m²].
-    Matrix6d mass = Matrix6d::Identity(), inverse_mass = Matrix6d::Zero();
+    /// The momentum (P, L) is `free_mass` times (V, ω) [kg, kg m, kg m²]. `mass` is very large
+    /// where rigid bodies hold against the mover; its inverse is set only then.
+    Matrix6d free_mass = Matrix6d::Identity(), mass = Matrix6d::Identity(),
+             inverse_mass = Matrix6d::Zero();
+    std::vector<Vector3d> supports; // the directions in which rigid bodies hold it, towards it
     /// By gravity, springs, applied forces and drag, as far as what carries it lets it move
     /// [m/s², rad/s²].
     Vector3d acceleration = Vector3d::Zero(), angular_acceleration = Vector3d::Zero();
 
-    /// The change of a point's velocity by an impulse there.
-    Matrix3d impulse_matrix_at(const Vector3d& point) const;
+    /// Whether no rigid body holds against a push in this direction.
+    bool yields(const Vector3d& push) const;
+    /// The change of a point's velocity by an impulse there, if it pushes in this direction.
+    Matrix3d impulse_matrix_at(const Vector3d& point, const Vector3d& push) const;
     void push(const Vector3d& point, const Vector3d& impulse);
 };
 
@@ -35,6 +41,7 @@ struct Movers {
 };
 
 /// The movers of a world at the start of a step of this length.
-Movers movers_of(const World& world, double time_step);
+/// @param world  only its counters change, and are set back
+Movers movers_of(World& world, double time_step);
 
 } // namespace rigor

@@ -74,7 +74,8 @@ void collide_nodes(Deformable& solid, const std::vector<HeldAxes>& held,
         if (held[c.node].any() && body.is_static()) {
             j = impulse_along_free_axes(held[c.node], *free, inverse_mass, closing, c, restitution);
         } else {
-            const Matrix3d K = inverse_mass * held[c.node].free_axes() + mover.impulse_matrix_at(x);
+            const Matrix3d K =
+                inverse_mass * held[c.node].free_axes() + mover.impulse_matrix_at(x, -n);
             j = collision_impulse(K, closing, n, restitution, c.friction);
         }
         solid.velocities[c.node] += inverse_mass * held[c.node].free_part(j);
@@ -101,7 +102,9 @@ void push_by_held_nodes(const Deformable& solid, const std::vector<HeldAxes>& he
             const Vector3d x = solid.positions[c.node], n = -c.normal; // n: towards the body
             const Mover& mover = rigid.mover(c.body);
             const Body& body = mover.body;
-            const Matrix3d K = mover.impulse_matrix_at(x);
+            // The mass of the body itself counts: a node without mass would move what carries it.
+            const Matrix3d K =
+                impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
             const Vector3d v = relative_velocity(body, node_body(solid, c.node, 0), x);
             const double share = c.gap > 0 ? 1 : corrected_share, v_n = n.dot(v);
             const double j_n = std::max(

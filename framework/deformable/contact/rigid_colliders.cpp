@@ -14,7 +14,7 @@
 
 namespace rigor {
 
-RigidColliders::RigidColliders(const World& of, double time_step)
+RigidColliders::RigidColliders(World& of, double time_step)
     : world(of), time_step_(time_step), movers_(movers_of(of, time_step)),
       pushed_(of.bodies.size()), pushed_in_substeps_(movers_.all.size(), 0),
       has_reached_(movers_.all.size(), 0), first_force_(of.forces.size())
@@ -81,23 +81,22 @@ void RigidColliders::push(int body, const Vector3d& point, const Vector3d& impul
 }
 
 // The nodes of an implicit solid move with their velocities at the end of the step. A body that
-// only nodes carry has to move in the same way, so that it stays on them: by h V, with the velocity
-// V at the end of the step. The nodes of an explicit solid have moved beside the body in substeps,
-// so the body has to come where these have brought it. By the forces of the step alone, it would
-// move by h V₀ + p h (V - V₀), where p is ½ if the integrator follows a parabola, and 1 for
-// symplectic Euler. The result is the difference.
+// only nodes carry has to move in the same way, so that it stays on them: by h (V + ΔV), with the
+// change ΔV of its mover's velocity in the step. The nodes of an explicit solid have moved beside
+// the body in substeps, so the body has to come where these have brought it. By the forces of the
+// step alone, it would move by h V + p h ΔV, where p is ½ if the integrator follows a parabola, and
+// 1 for symplectic Euler. The result is the difference.
 Vector3d RigidColliders::lack_of_motion(int body) const
 {
     const double p = fall_in_step(world.settings.integrator_under_forces()), h = time_step_;
-    const RigidState& state = world.bodies[body].state;
+    const Vector3d& X = world.bodies[body].state.position;
     const Mover& m = mover(body);
-    const Vector3d r = state.position - m.body.position,
-                   V = velocity_of(body) + h * (m.acceleration + m.angular_acceleration.cross(r)),
-                   V0 = state.velocity;
-    const Vector3d motion = has_reached_[movers_.of[body]]
-                                ? Vector3d(pushed_[body].reached - state.position)
-                                : Vector3d(h * V);
-    return motion - (h * V0 + p * h * (V - V0));
+    const Vector3d r = X - m.body.position,
+                   start = m.start.velocity + m.start.angular_velocity.cross(r),
+                   change = velocity_of(body) - start +
+                            h * (m.acceleration + m.angular_acceleration.cross(r));
+    if (!has_reached_[movers_.of[body]]) return (1 - p) * h * change;
+    return pushed_[body].reached - X - h * start - p * h * change;
 }
 
 void RigidColliders::apply_to(World& to) const
@@ -112,6 +111,7 @@ void RigidColliders::apply_to(World& to) const
         if (to.bodies[i].rest.is_asleep()) wake(to, {i});
         AppliedForce nodes;
         nodes.body = i;
+        nodes.start = -nodes.end; // always
         nodes.force = pushed_[i].impulse / time_step_;
         nodes.torque = pushed_[i].moment / time_step_;
         to.forces.push_back(nodes);

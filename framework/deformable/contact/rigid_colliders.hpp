@@ -16,7 +16,8 @@ namespace rigor {
 /// measured, move with each substep.
 class RigidColliders {
 public:
-    RigidColliders(const World& world, double time_step);
+    /// @param world  only its counters change, and are set back
+    RigidColliders(World& world, double time_step);
 
     /// What moves when a solid pushes this body.
     const Mover& mover(int body) const { return movers_.by(body); }

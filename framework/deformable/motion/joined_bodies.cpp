@@ -3,7 +3,23 @@
 // their points before and after a solve.
 #include "deformable/motion/joined_bodies.hpp"
 
+#include <algorithm>
+
 namespace rigor {
+
+namespace {
+
+// Whether a contact of the solid pushes the mover of a body towards what carries it.
+bool is_pushed_against_supports(const RigidColliders& rigid,
+                                const std::vector<NodeContact>& contacts, int body)
+{
+    return std::any_of(contacts.begin(), contacts.end(), [&](const NodeContact& c) {
+        return rigid.mover_number(c.body) == rigid.mover_number(body) &&
+               !rigid.mover(body).yields(-c.normal);
+    });
+}
+
+} // namespace
 
 void JoinedBodies::join(const RigidColliders& rigid, const std::vector<NodeContact>& contacts,
                         double time_step)
@@ -17,8 +33,10 @@ void JoinedBodies::join(const RigidColliders& rigid, const std::vector<NodeConta
             if (rigid.mover_number(i) == rigid.mover_number(c.body))
                 numbers_[i] = static_cast<int>(before_.size());
         const Mover& mover = rigid.mover(c.body);
-        before_.push_back({mover.mass, mover.body.velocity + time_step * mover.acceleration,
-                           mover.body.angular_velocity + time_step * mover.angular_acceleration});
+        before_.push_back(
+            {is_pushed_against_supports(rigid, contacts, c.body) ? mover.mass : mover.free_mass,
+             mover.body.velocity + time_step * mover.acceleration,
+             mover.body.angular_velocity + time_step * mover.angular_acceleration});
     }
 }
 

@@ -245,8 +245,10 @@ int ImplicitSystem::iterate(double enough)
     for_each([&](int i) { p_[i] = z_[i]; });
     double rz = dot(r_, z_), least = rz;
     // Where rounding errors keep r·z above `enough`, as in a solid that hardly moves, it does not
-    // stay where it is but grows without end. This growth ends the iterations.
-    constexpr double most_growth = 1e4;
+    // stay where it is but grows without end. This growth ends the iterations, and the best x_ so
+    // far is the result.
+    constexpr double most_growth = 1e8;
+    best_ = x_;
     const int most = 10 * static_cast<int>(active_->size() + 2 * bodies_->size()) + 100;
     int iterations = 0;
     for (; rz > enough && iterations < most; ++iterations) {
@@ -263,8 +265,13 @@ int ImplicitSystem::iterate(double enough)
         });
         precondition(r_, z_);
         const double rz_new = dot(r_, z_);
-        least = std::min(least, rz_new);
-        if (!(rz_new <= most_growth * least)) break;
+        if (rz_new < least) {
+            least = rz_new;
+            for_each([&](int i) { best_[i] = x_[i]; });
+        } else if (!(rz_new <= most_growth * least)) {
+            for_each([&](int i) { x_[i] = best_[i]; });
+            break;
+        }
         const double beta = rz_new / rz;
         rz = rz_new;
         for_each([&](int i) { p_[i] = z_[i] + beta * p_[i]; });

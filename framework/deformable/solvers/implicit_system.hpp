@@ -87,7 +87,8 @@ private:
     std::vector<SystemBody>* bodies_ = nullptr;
     std::vector<Matrix3d> inverse_diagonal_;
     std::vector<Matrix6d> inverse_bodies_;
-    std::vector<Vector3d> x_, r_, z_, p_, q_; // for each node a vector, then V, ω of each body
+    // For each node a vector, then V, ω of each body.
+    std::vector<Vector3d> x_, r_, z_, p_, q_, best_;
 };
 
 } // namespace rigor

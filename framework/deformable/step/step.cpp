@@ -72,6 +72,22 @@ void move(Deformable& solid, RigidColliders& rigid, World& world, double time_st
     fracture(solid, work, world);
 }
 
+// As long as this object lives, the impulses of the nodes act on the rigid bodies as forces.
+class ForcesOfNodes {
+public:
+    ForcesOfNodes(const RigidColliders& rigid, World& world) : rigid_(rigid), world_(world)
+    {
+        rigid.apply_to(world);
+    }
+    ~ForcesOfNodes() { rigid_.end_forces(world_); }
+    ForcesOfNodes(const ForcesOfNodes&) = delete;
+    ForcesOfNodes& operator=(const ForcesOfNodes&) = delete;
+
+private:
+    const RigidColliders& rigid_;
+    World& world_;
+};
+
 } // namespace
 
 std::vector<ContactRecord> step(DeformableWorld& world, double time_step)
@@ -85,10 +101,8 @@ std::vector<ContactRecord> step(DeformableWorld& world, double time_step)
             require_finite(solid, world.rigid.time + time_step);
             rigid.surfaces = surfaces;
         }
-        rigid.apply_to(world.rigid);
-        std::vector<ContactRecord> records = step(world.rigid, time_step);
-        rigid.end_forces(world.rigid);
-        return records;
+        const ForcesOfNodes forces(rigid, world.rigid);
+        return step(world.rigid, time_step);
     }
     return step(world.rigid, time_step);
 }

@@ -43,8 +43,8 @@ struct SleepingContact : ContactRecord {
 /// `RigidBody::rest`.
 ///
 /// `start_warm` reads the warm contacts, and step/adaptive_substeps those of a part of the world.
-/// deformable/contact/rigid_colliders reads them too, also if the warm start is turned off: a body
-/// that has one counts as supported by rigid bodies.
+/// deformable/contact/movers reads them too, also if the warm start is turned off, to see which
+/// bodies lie on each other.
 struct StepMemory {
     std::vector<WarmContact> warm_contacts;          // sorted by `body1`, then `body2`
     std::vector<SleepingContact> sleeping_contacts;  // contacts that support sleeping bodies

@@ -14,11 +14,9 @@
 #include "rigid/step/impact.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <span>
 
 namespace rigor {
 
@@ -164,19 +162,31 @@ bool moves_only_balls(const World& world, const ContactConstraint& c)
     return (body1.is_static || body1.is_ball()) && (body2.is_static || body2.is_ball());
 }
 
+// Whether third bodies sent the bodies of a pair towards each other again after their bounce, so
+// that the contact stage stopped them where the next bounce is due.
+bool is_hit_again(const ContactProblem& problem, const ContactPair& pair)
+{
+    constexpr double noticeable = 1e-3; // a smaller share is what the sweeps and rounding leave
+    double bounce = 0, stop = 0;        // [N s]
+    for (int k = pair.first; k < pair.last; ++k) {
+        bounce += problem.contacts[k].collision_impulse.norm();
+        stop += problem.contacts[k].contact_impulse.norm();
+    }
+    return stop > noticeable * bounce && bounce > 0;
+}
+
 // Where the step of an island is divided in two parts.
 struct Division {
     double time = 0;      // since the start of the step; 0 if the step is not divided [s]
     bool is_free = false; // whether the bodies fly freely until then
+    bool is_apart = true; // whether the bounce is apart from the start, and not predicted again
 };
 
 // The first bounce that divides the step. Bounces with ε > 0 of these pairs count:
 // 1. Two moving balls.
 // 2. A ball and a static body, in an island of at most `few_bodies` bodies where several pairs
 //    bounced and none of the others carried a load. (If one did, its mean force, from which the
-//    next step starts, might come from a very short part of this step. A pair that bounced carries
-//    a load if third bodies sent its bodies towards each other again: the contact stage stops them
-//    where the next bounce is due.)
+//    next step starts, might come from a very short part of this step.)
 //
 // A bounce that `bounce_at_impacts` has moved to its time of impact does not count. The exact time
 // matters, as in billiards: balls part along the line of centers that they have at the impact. The
@@ -188,13 +198,15 @@ Division first_impact(const World& world, const ContactProblem& problem, const I
     // A bounce at the start of the step changes the times of the other bounces, so it gets this
     // share of the step for itself.
     constexpr double alone = 1e-9;
+    // A bounce that was predicted before is nearer to the start than this share of the step.
+    constexpr double apart = 1e-6;
     const auto count = [&](bool (*holds)(const ContactProblem&, const ContactPair&)) {
         return std::count_if(island.pairs.begin(), island.pairs.end(),
                              [&](const ContactPair& pair) { return holds(problem, pair); });
     };
     const std::ptrdiff_t bounces = count(bounced);
     const bool is_loaded = count([](const ContactProblem& in, const ContactPair& pair) {
-                               return carries_load(in, pair) && !bounced(in, pair);
+                               return carries_load(in, pair) && !is_hit_again(in, pair);
                            }) > 0;
     const bool is_small = island.bodies.size() <= few_bodies && bounces > 1 && !is_loaded;
 
@@ -209,8 +221,9 @@ Division first_impact(const World& world, const ContactProblem& problem, const I
         ++(time > 0 ? later : at_start);
         if (time > 0) first = std::min(first, time);
     }
-    if (at_start > 0 && later > 0 && !is_loaded) return {alone * problem.time_step, false};
-    if (first < problem.time_step) return {first, !is_loaded && later == bounces};
+    const bool is_apart = first > apart * problem.time_step;
+    if (at_start > 0 && later > 0 && !is_loaded) return {alone * problem.time_step, false, false};
+    if (first < problem.time_step) return {first, !is_loaded && later == bounces, is_apart};
     return {};
 }
 
@@ -225,15 +238,18 @@ void fly_freely(World& world, double time)
     world.time += time;
 }
 
-void take_substeps(IslandWorld& part, const StepOfPart& step, const Divisions& divisions,
-                   std::span<const double> times, Refinement& refined)
+void take_substep(IslandWorld& part, const StepOfPart& step, int divisions, double time,
+                  Refinement& refined)
 {
-    for (const double time : times)
-        for (ContactRecord record : step(part.world, time, divisions)) {
-            record.body1 = part.bodies[record.body1];
-            record.body2 = part.bodies[record.body2];
-            refined.records.push_back(record);
-        }
+    for (ContactRecord record : step(part.world, time, divisions)) {
+        record.body1 = part.bodies[record.body1];
+        record.body2 = part.bodies[record.body2];
+        refined.records.push_back(record);
+    }
+}
+
+void keep_warm_contacts(const IslandWorld& part, Refinement& refined)
+{
     for (WarmContact contact : part.world.memory.warm_contacts) {
         contact.body1 = part.bodies[contact.body1];
         contact.body2 = part.bodies[contact.body2];
@@ -245,11 +261,11 @@ void take_substeps(IslandWorld& part, const StepOfPart& step, const Divisions& d
 
 Refinement refine_by_substeps(World& world, ContactProblem& problem,
                               const std::vector<bool>& pulled, const ContactCandidates& candidates,
-                              std::vector<RigidState>& states, const Divisions& before,
+                              std::vector<RigidState>& states, int divisions,
                               const StepOfPart& step)
 {
     Refinement refined;
-    if (before.all() >= most_divisions_of_few) return refined;
+    if (divisions >= most_divisions_of_few) return refined;
     OverlapCheck overlaps_anew(world, problem, candidates, states);
     for (const Island& island : problem.islands) {
         if (island.bodies.size() > most_bodies) continue;
@@ -257,23 +273,26 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
                         [&](int i) { return pulled[i]; }))
             continue;
         const double h = problem.time_step;
-        const bool is_at_limit = before.all() >= most_divisions;
+        const bool is_at_limit = divisions >= most_divisions;
         if (is_at_limit && island.bodies.size() > few_bodies) continue;
-        const auto [impact, is_free] = first_impact(world, problem, island);
+        const auto [impact, is_free, is_apart] = first_impact(world, problem, island);
+        if (is_at_limit && !is_apart) continue;
         const bool is_halved =
             impact == 0 && !is_at_limit &&
             std::any_of(island.pairs.begin(), island.pairs.end(), std::ref(overlaps_anew));
         if (impact == 0 && !is_halved) continue;
-        Divisions divisions = before;
-        ++(is_halved ? divisions.in_the_middle : divisions.at_impacts);
         IslandWorld part = part_of(world, island, candidates.contacts);
+        const double first = is_halved ? h / 2 : impact;
         if (is_free) {
-            fly_freely(part.world, impact);
-            take_substeps(part, step, divisions, std::array{h - impact}, refined);
+            fly_freely(part.world, first);
         } else {
-            const double first = is_halved ? h / 2 : impact;
-            take_substeps(part, step, divisions, std::array{first, h - first}, refined);
+            // Beyond the limit, only the later part is divided again: so the number of parts grows
+            // with the number of bounces, and not with a power of two.
+            const int of_first = is_at_limit ? most_divisions_of_few : divisions + 1;
+            take_substep(part, step, of_first, first, refined);
         }
+        take_substep(part, step, divisions + 1, h - first, refined);
+        keep_warm_contacts(part, refined);
         for (std::size_t k = 0; k < part.bodies.size(); ++k)
             if (!part.world.bodies[k].is_static)
                 states[part.bodies[k]] = part.world.bodies[k].state;

@@ -16,21 +16,15 @@ struct Refinement {
     std::vector<WarmContact> warm_contacts;
 };
 
-/// How many times in a row a step was divided in two: first the step, then a part of it, then a
-/// part of this part.
-struct Divisions {
-    int in_the_middle = 0, at_impacts = 0;
-    int all() const { return in_the_middle + at_impacts; }
-};
-
 /// Does a part of a divided step of a world and returns its contacts.
-/// @param before  the divisions that have led to this part
-using StepOfPart = std::function<std::vector<ContactRecord>(World& world, double time_step,
-                                                            const Divisions& before)>;
+/// @param divisions  how many times in a row the step was divided in two until this part: first the
+///                   step, then a part of it, then a part of this part
+using StepOfPart =
+    std::function<std::vector<ContactRecord>(World& world, double time_step, int divisions)>;
 
-/// The limits of `Divisions::all`, which bound the run time. A part after ten halvings is a 1024th
-/// of the step. In an island of at most `few_bodies` bodies, more divisions at impacts are allowed:
-/// there each of them is one more bounce, which would lose its energy otherwise.
+/// The limits of `divisions`, which bound the run time. A part after ten halvings is a 1024th of
+/// the step. In an island of at most `few_bodies` bodies, more divisions are allowed at impacts
+/// that lie apart: there each of them is one more bounce, which would lose its energy otherwise.
 inline constexpr int most_divisions = 10, most_divisions_of_few = 400;
 
 /// Repeats the step of an island in two parts, in these cases:
@@ -55,11 +49,11 @@ inline constexpr int most_divisions = 10, most_divisions_of_few = 400;
 /// @param problem  in it, the impulses of repeated islands are set to zero
 /// @param pulled   for each body, whether springs, applied forces or drag act on it
 /// @param states   the states after the step; those of repeated islands are replaced
-/// @param before   the divisions that have led to this step
+/// @param divisions  how many times in a row the step was divided until this one
 /// @param step     advances a world by one part of the step; it may divide this part again
 Refinement refine_by_substeps(World& world, ContactProblem& problem,
                               const std::vector<bool>& pulled, const ContactCandidates& candidates,
-                              std::vector<RigidState>& states, const Divisions& before,
+                              std::vector<RigidState>& states, int divisions,
                               const StepOfPart& step);
 
 } // namespace rigor

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The step of a world with a single rigid body. There is no other rigid body that it could touch,
-// so free flight is the only stage. Deformable solids, if there are any, have already pushed the
-// body before this step (deformable/step).
+// so free flight is the only stage. In a step in which deformable solids push the body, their
+// forces act on it, and the general step moves it (deformable/step).
 #pragma once
 
 #include "rigid/bodies/world.hpp"

@@ -54,16 +54,15 @@ void apply_forces(ContactProblem& problem, const World& world, const std::vector
 constexpr int most_halvings = 6;
 
 // A step, or a part of one that was divided.
-// @param divisions  the divisions that have led to this part
-std::vector<ContactRecord> step_divided(World& world, double time_step, const Divisions& divisions);
+// @param divisions  how many times in a row the step was divided until this part
+std::vector<ContactRecord> step_divided(World& world, double time_step, int divisions);
 
 // The step of the whole world in two halves. A contact is listed once for each half in which it got
 // an impulse.
-std::vector<ContactRecord> step_in_halves(World& world, double time_step, Divisions divisions)
+std::vector<ContactRecord> step_in_halves(World& world, double time_step, int divisions)
 {
-    ++divisions.in_the_middle;
-    std::vector<ContactRecord> records = step_divided(world, time_step / 2, divisions);
-    const std::vector<ContactRecord> second = step_divided(world, time_step / 2, divisions);
+    std::vector<ContactRecord> records = step_divided(world, time_step / 2, divisions + 1);
+    const std::vector<ContactRecord> second = step_divided(world, time_step / 2, divisions + 1);
     records.insert(records.end(), second.begin(), second.end());
     --world.counters.steps; // the halves do not count as steps
     return records;
@@ -96,7 +95,7 @@ Flight fly_and_find_contacts(World& world, const std::vector<bool>& forced, doub
     }
 }
 
-std::vector<ContactRecord> step_divided(World& world, double time_step, const Divisions& divisions)
+std::vector<ContactRecord> step_divided(World& world, double time_step, int divisions)
 {
     // Only the reference's formulas are known to be thread-safe. With any other implementation, the
     // step runs on one thread.
@@ -125,7 +124,7 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, const Di
     result.records = bounce_at_impacts(world, problem, pulled, displacements, result.states);
     const Refinement refined = refine_by_substeps(world, problem, pulled, candidates, result.states,
                                                   divisions, step_divided);
-    if (divisions.all() < most_halvings &&
+    if (divisions < most_halvings &&
         has_missed_contact(world, problem, candidates, flown, result.states)) {
         world.counters = before; // only the halves count
         return step_in_halves(world, time_step, divisions);
@@ -140,7 +139,7 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, const Di
 std::vector<ContactRecord> step(World& world, double time_step)
 {
     if (is_single_body(world)) return step_single_body(world, time_step);
-    return step_divided(world, time_step, {});
+    return step_divided(world, time_step, 0);
 }
 
 } // namespace rigor
