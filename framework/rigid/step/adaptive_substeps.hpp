@@ -25,7 +25,8 @@ using StepOfPart =
 /// The limits of `divisions`, which bound the run time. A part after ten halvings is a 1024th of
 /// the step. In an island of at most `few_bodies` bodies, more divisions are allowed at impacts
 /// that lie apart: there each of them is one more bounce, which would lose its energy otherwise.
-inline constexpr int most_divisions = 10, most_divisions_of_few = 400;
+inline constexpr int most_divisions = 10;
+inline constexpr int most_divisions_of_few = 400;
 
 /// Repeats the step of an island in two parts, in these cases:
 /// 1. The overlap of two bodies has grown too much. The step is divided in the middle. During a
