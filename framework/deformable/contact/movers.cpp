@@ -219,7 +219,8 @@ Movers movers_of(World& world, double time_step)
     const std::size_t n = world.bodies.size();
     const std::vector<Wrench> loads = loads_of(world, time_step);
     std::vector<Body> bodies;
-    std::vector<char> is_free, stands(n, 0); // of bodies; of groups: whether something carries it
+    std::vector<char> is_free;      // for each body, whether it has all degrees of freedom
+    std::vector<char> stands(n, 0); // for each group, whether something carries it
     for (const RigidBody& rigid : world.bodies) {
         bodies.push_back(collider_in_world(world, rigid));
         is_free.push_back(moves_freely(rigid, bodies.back()));

@@ -8,8 +8,8 @@
 //     bench_tolerances [--json] [--seeds N]
 #include "benchmarks/tolerances/solutions.hpp"
 #include "support/bench/bench.hpp"
+#include "support/bench/reasons.hpp"
 #include "support/judge_all.hpp"
-#include "support/reasons.hpp"
 
 #include <fmt/format.h>
 

@@ -26,7 +26,7 @@ std::vector<Solution> wrong_solutions();
 /// What a test case found.
 struct Finding {
     std::string tag, law;
-    std::string tolerance_class; // of the comparison that failed; empty if all held
+    std::string tolerance_class; // the class of the comparison that failed; empty if all held
     bool is_passed = false;
     /// The largest error of the comparisons that held, or the error of the one that failed, as a
     /// part of its tolerance. Infinite if the test case failed without an error, as when a value

@@ -10,8 +10,8 @@
 #include "benchmarks/validator/mutant_lists.hpp"
 #include "grading/process.hpp"
 #include "support/bench/bench.hpp"
+#include "support/bench/reasons.hpp"
 #include "support/judge_all.hpp"
-#include "support/reasons.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

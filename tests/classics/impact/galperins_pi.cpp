@@ -39,7 +39,7 @@ namespace {
 
 struct Outcome {
     int bounces = 0;
-    double v = 0, V = -1; // of the light ball, which is at rest first, and of the heavy one [m/s]
+    double v = 0, V = -1; // the velocities of the light ball and of the heavy one [m/s]
 };
 
 // One bounce after the other: off each other if they approach, then off the wall.

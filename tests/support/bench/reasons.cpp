@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/reasons.hpp"
+#include "support/bench/reasons.hpp"
 
 #include <fstream>
 #include <stdexcept>
