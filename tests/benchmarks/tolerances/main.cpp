@@ -5,7 +5,9 @@
 // tolerance. The first should be at most a tenth. Each mistake should be caught by some test with
 // ten tolerances or more. Exceptions are in reasons.txt, each with its reason.
 //
-//     bench_tolerances [--json] [--seeds N]
+//     bench_tolerances [--json] [--seeds N] [TOPIC]...
+//
+// Without a topic it takes all.
 #include "benchmarks/tolerances/solutions.hpp"
 #include "support/bench/bench.hpp"
 #include "support/bench/reasons.hpp"
@@ -15,9 +17,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
+#include <cstdlib>
 #include <limits>
 #include <map>
+#include <stdexcept>
 
 namespace {
 
@@ -43,14 +46,19 @@ struct Judged {
 
 using Laws = std::map<std::pair<std::string, std::string>, Law>; // by tag and name
 
-std::vector<Judged> judged(unsigned seeds)
+std::vector<Judged> judged(unsigned seeds, const std::vector<std::string>& topics)
 {
+    const auto is_wanted = [&](const Solution& solution) {
+        return topics.empty() ||
+               std::find(topics.begin(), topics.end(), solution.topic) != topics.end();
+    };
     std::vector<Judged> all;
     for (const Solution& solution : right_solutions())
-        for (unsigned i = 0; i < seeds; ++i)
+        for (unsigned i = 0; i < seeds && is_wanted(solution); ++i)
             all.push_back({solution, 1000 * i, {}, ""}); // no property draws as many cases
     for (const Solution& solution : wrong_solutions())
-        all.push_back({solution, 0, {}, ""});
+        if (is_wanted(solution)) all.push_back({solution, 0, {}, ""});
+    if (all.empty()) throw std::invalid_argument("there is no such topic");
     const std::vector<Assignment> assignments = load_assignments(RIGOR_ASSIGNMENTS_DIR);
     testing::judge_all(all, [&](Judged& one) {
         try {
@@ -150,11 +158,11 @@ private:
     double near_ = 0, unclear_ = 0;
 };
 
-int run(bool is_json, unsigned seeds)
+int run(bool is_json, unsigned seeds, const std::vector<std::string>& topics)
 {
     Bench bench("tolerances");
     Report report(bench, testing::reasons_in(RIGOR_REASONS));
-    const std::vector<Judged> all = judged(seeds);
+    const std::vector<Judged> all = judged(seeds, topics);
     Laws laws;
     for (const Judged& one : all) {
         const bool is_right = one.solution.tag.empty();
@@ -172,11 +180,16 @@ int run(bool is_json, unsigned seeds)
 int main(int count, char** arguments)
 {
     unsigned seeds = 3;
-    for (int i = 1; i + 1 < count; ++i)
-        if (std::strcmp(arguments[i], "--seeds") == 0)
-            seeds = static_cast<unsigned>(std::strtoul(arguments[i + 1], nullptr, 10));
+    std::vector<std::string> topics;
+    for (int i = 1; i < count; ++i) {
+        const std::string argument = arguments[i];
+        if (argument == "--seeds" && i + 1 < count)
+            seeds = static_cast<unsigned>(std::strtoul(arguments[++i], nullptr, 10));
+        else if (argument != "--json")
+            topics.push_back(argument);
+    }
     try {
-        return run(wants_json(count, arguments), seeds);
+        return run(wants_json(count, arguments), seeds, topics);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench_tolerances: %s\n", error.what());
         return 1;
