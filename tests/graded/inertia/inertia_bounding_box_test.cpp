@@ -49,6 +49,35 @@ TEST_CASE("inertia: a box is its own bounding box", "[A2.17][inertia]")
     }
 }
 
+TEST_CASE("inertia: a bounding box that is nearly flat is not flat", "[A2.17][inertia]")
+{
+    for (int power = 1; power <= 44; ++power)
+        for (int axis = 0; axis < 3; ++axis) {
+            CAPTURE(power, axis);
+            const double h = std::ldexp(1, -power);
+            Vector3d size = Vector3d::Ones();
+            size[axis] = h;
+            Matrix3d I = (1 + h * h) * Matrix3d::Identity();
+            I(axis, axis) = 2;
+            require_mass_properties(bounding_box_mass_properties(corners_of(size / 2, size), 12),
+                                    {12, size / 2, I}, 1, 8);
+        }
+}
+
+TEST_CASE("inertia: a bounding box may have its center near the origin", "[A2.17][inertia]")
+{
+    for (int power = 1; power <= 44; ++power)
+        for (int axis = 0; axis < 3; ++axis) {
+            CAPTURE(power, axis);
+            Vector3d high = Vector3d::Ones(), center = Vector3d::Zero();
+            high[axis] += std::ldexp(2, -power);
+            center[axis] = std::ldexp(1, -power);
+            const std::vector<Vector3d> vertices = {high, Vector3d::Constant(-1)};
+            REQUIRE_THAT(bounding_box_mass_properties(vertices, 12).center_of_mass,
+                         IsClose(center, Rounding(4, 1)));
+        }
+}
+
 TEST_CASE("inertia: only the bounds of the vertices matter", "[A2.17][inertia]")
 {
     for (Random random : seeds(100)) {

@@ -69,7 +69,7 @@ TEST_CASE("inertia: principal axes of a tensor that is nearly diagonal", "[A2.4]
 TEST_CASE("inertia: a light part far away counts", "[A2.14][inertia]")
 {
     for (Random random : seeds(20))
-        for (const double ratio : {1e-3, 1e-6, 1e-9, 1e-12}) {
+        for (const double ratio : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 1e-20}) {
             // the reduced mass m M/(m + M) at the distance d adds its inertia; here m d² = 1 kg m²
             CAPTURE(ratio);
             const double d = 1 / std::sqrt(ratio), reduced = ratio / (1 + ratio);
@@ -83,6 +83,29 @@ TEST_CASE("inertia: a light part far away counts", "[A2.14][inertia]")
                 REQUIRE_THAT(both.mass, IsClose(1 + ratio, Rounding(8)));
                 REQUIRE_THAT(both.center_of_mass, IsClose(Vector3d(reduced * at), Rounding(16, d)));
                 REQUIRE_THAT(both.inertia, IsClose(expected, Rounding(64, 2 + I.norm())));
+            }
+        }
+}
+
+TEST_CASE("inertia: a body with a hole of nearly its mass has the mass that is left",
+          "[A2.14][inertia]")
+{
+    // A body of 1 kg at the origin, and a hole of e - 1 kg at e u: X = (e - 1) u.
+    for (Random random : seeds(10))
+        for (int power = 1; power <= 40; ++power) {
+            CAPTURE(power);
+            const double e = std::ldexp(1, -power);
+            const Vector3d u = random.unit_vector(), X = (e - 1) * u;
+            const Matrix3d I = random.inertia(),
+                           arms = u.squaredNorm() * Matrix3d::Identity() - u * u.transpose();
+            // I/2 is what both have of their own; 1 kg at -X, e - 1 kg at e u - X = u
+            const Matrix3d expected = I / 2 + ((e - 1) * (e - 1) + (e - 1)) * arms;
+            const MassProperties body = {1, Vector3d::Zero(), I},
+                                 hole = {e - 1, e * u, Matrix3d(-I / 2)};
+            for (const MassProperties& left : {combine(body, hole), combine(hole, body)}) {
+                REQUIRE_THAT(left.mass, IsClose(e, Rounding(8)));
+                REQUIRE_THAT(left.center_of_mass, IsClose(X, Rounding(16)));
+                REQUIRE_THAT(left.inertia, IsClose(expected, Rounding(64, 4 + I.norm())));
             }
         }
 }

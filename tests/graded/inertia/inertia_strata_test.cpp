@@ -181,6 +181,20 @@ TEST_CASE("inertia: bodies that nearly coincide are still apart", "[A2.14][inert
     }
 }
 
+TEST_CASE("inertia: the distance between bodies counts however large they are", "[A2.14][inertia]")
+{
+    // two round bodies of 1 kg and 1 kg m²: I = 2 + d²/2 across d
+    for (int power = 1; power <= 22; ++power) {
+        CAPTURE(power);
+        const double d = std::ldexp(1, -power);
+        const MassProperties both =
+            combine({1, {0, 0, 0}, Matrix3d::Identity()}, {1, {d, 0, 0}, Matrix3d::Identity()});
+        const double across = 2 + d * d / 2;
+        const Matrix3d I = Vector3d(2, across, across).asDiagonal();
+        REQUIRE_THAT(both.inertia, IsClose(I, Rounding(8, 2)));
+    }
+}
+
 TEST_CASE("inertia: of nearly equal masses the heavier one is nearer", "[A2.14][inertia]")
 {
     for (int power = 1; power <= 40; ++power) {

@@ -122,4 +122,34 @@ TEST_CASE("kinematics: the modes of a particle that moves almost with the center
         }
 }
 
+TEST_CASE("kinematics: a light particle far away counts", "[A1.7][kinematics]")
+{
+    // 1 kg at X, which has no moment, and 4^-k kg at X + 2^k u: m r² is that of 1 kg at X + u
+    const Vector3d X(0.5, -1, 2), u(1, -2, 0.5);
+    const Matrix3d expected = u.squaredNorm() * Matrix3d::Identity() - u * u.transpose();
+    for (int k = 0; k <= 30; ++k) {
+        CAPTURE(k);
+        const Particle heavy{1, X}, light{std::ldexp(1, -2 * k), X + std::ldexp(1, k) * u};
+        for (const auto& particles : {std::vector{heavy, light}, std::vector{light, heavy}})
+            REQUIRE_THAT(Matrix3d(generalized_mass(particles, X).block<3, 3>(3, 3)),
+                         IsClose(expected, Rounding(16)));
+    }
+}
+
+TEST_CASE("kinematics: a light particle far away pulls", "[A1.13][kinematics]")
+{
+    // beside 1 kg at X, whose acceleration is 0
+    const Vector3d X(0.5, -1, 2), u(1, -2, 0.5), omega(1, 0.5, -2);
+    for (int k = 0; k <= 30; ++k) {
+        CAPTURE(k);
+        const Particle heavy{1, X}, light{std::ldexp(1, -2 * k), X + std::ldexp(1, k) * u};
+        const Wrench alone = inertial_wrench({light}, X, Vector3d::Zero(), omega);
+        for (const auto& particles : {std::vector{heavy, light}, std::vector{light, heavy}}) {
+            const Wrench all = inertial_wrench(particles, X, Vector3d::Zero(), omega);
+            REQUIRE_THAT(all.force, IsClose(alone.force, Rounding(16)));
+            REQUIRE_THAT(all.torque, IsClose(alone.torque, Rounding(16)));
+        }
+    }
+}
+
 } // namespace kinematics_strata_test

@@ -44,6 +44,19 @@ TEST_CASE("pipeline: a body at rest has no energy", "[A0.1][pipeline]")
                  IsExactly(0.0));
 }
 
+TEST_CASE("pipeline: a little energy counts beside much", "[A0.1][pipeline]")
+{
+    const Vector3d e = Vector3d::UnitX();
+    for (int power = 0; power <= 47; ++power) {
+        CAPTURE(power);
+        const double much = std::ldexp(1, power);
+        REQUIRE_THAT(kinetic_energy(2 * much, e, Matrix3d::Identity(), e),
+                     IsClose(much + 0.5, Rounding(4)));
+        REQUIRE_THAT(kinetic_energy(1, e, 2 * much * Matrix3d::Identity(), e),
+                     IsClose(much + 0.5, Rounding(4)));
+    }
+}
+
 TEST_CASE("pipeline: energy is the sum of the particles' energies", "[A0.1][pipeline]")
 {
     for (Random random : seeds(100)) {

@@ -48,6 +48,18 @@ TEST_CASE("plasticity: a strain of any size has its stress", "[A6.5][plasticity]
     }
 }
 
+TEST_CASE("plasticity: a solid however soft in shear has a stress", "[A6.5][plasticity]")
+{
+    Matrix3d shear = Matrix3d::Zero();
+    shear(0, 1) = shear(1, 0) = 0.25;
+    for (int power = -60; power <= 60; power += 4) {
+        CAPTURE(power);
+        const double G = std::ldexp(1, power);
+        REQUIRE_THAT(isotropic_stress(shear, 1, G), IsClose(Matrix3d(2 * G * shear), Rounding(8)));
+        REQUIRE_THAT(isotropic_stress(shear, 3, G), IsClose(Matrix3d(2 * G * shear), Rounding(8)));
+    }
+}
+
 TEST_CASE("plasticity: a strain of any size has its von Mises stress", "[A6.6][plasticity]")
 {
     for (Random random : seeds(80)) {

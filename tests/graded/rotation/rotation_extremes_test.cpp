@@ -118,6 +118,29 @@ TEST_CASE("rotation: a slow body in a long step turns as a fast one in a short s
     }
 }
 
+TEST_CASE("rotation: the slowest body turns in the longest step", "[A3.11][rotation]")
+{
+    // by 1 rad in all
+    const Quaternion expected{std::cos(0.5), {0, 0, std::sin(0.5)}};
+    for (int power = 0; power <= 700; power += 4) {
+        CAPTURE(power);
+        const double h = std::ldexp(1, power);
+        REQUIRE_THAT(advance_exact({1, {0, 0, 0}}, {0, 0, 1 / h}, h),
+                     IsClose(expected, Rounding(8, 1)));
+    }
+}
+
+TEST_CASE("rotation: a long linear step makes a little less than a half turn", "[A3.12][rotation]")
+{
+    // (1, Δt/2 ω)/|…| has the real part 1/|…|
+    for (int power = 20; power <= 44; ++power) {
+        CAPTURE(power);
+        const double half = std::ldexp(1, power);
+        REQUIRE_THAT(advance_linear({1, {0, 0, 0}}, {0, 0, 2 * half}, 1).s,
+                     IsClose(1 / std::hypot(1, half), Rounding(8, 1)));
+    }
+}
+
 TEST_CASE("rotation: the longest linear step makes a half turn", "[A3.12][rotation]")
 {
     // for a long step the normalized q + Δt/2 (0, ω) q becomes (0, ω/|ω|) q

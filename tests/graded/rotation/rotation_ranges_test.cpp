@@ -137,6 +137,19 @@ TEST_CASE("rotation: a small turn has a matrix that turns by as little", "[A3.9]
         }
 }
 
+TEST_CASE("rotation: small components of ω count in the longest step", "[A3.13][rotation]")
+{
+    for (int power = 0; power <= 30; ++power)
+        for (int axis = 0; axis < 3; ++axis) {
+            CAPTURE(power, axis);
+            const double small = std::ldexp(1, -power);
+            Vector3d omega = Vector3d::Zero();
+            omega[axis] = 1;
+            omega[(axis + 1) % 3] = -small;
+            REQUIRE_THAT(max_time_step(omega), IsClose(pi / 2 / std::hypot(1, small), Rounding(8)));
+        }
+}
+
 TEST_CASE("rotation: the slower a body turns, the longer its step may be", "[A3.13][rotation]")
 {
     for (int power = 0; power <= 150; power += 3) {

@@ -215,7 +215,18 @@ TEST_CASE("rotation: at gimbal lock there are no Euler rates", "[A3.4][rotation]
         const auto rates = euler_rates({0.3, theta, -0.2}, {1, 2, 3});
         REQUIRE_THAT(rates, IsExactly(std::optional<Vector3d>()));
     }
-    REQUIRE_THAT(euler_rates({0, pi / 2, 0}, {0, 0, 0}), IsExactly(std::optional<Vector3d>()));
+    INFO("also if ω has no part about the axis of roll, or none at all");
+    for (double theta : {pi / 2, -pi / 2})
+        for (double yaw : {0.0, -0.2, pi / 2})
+            for (const auto& [about_pitch, about_yaw] :
+                 {std::pair(0, 0), std::pair(0, 1), std::pair(0, -2), std::pair(2, 0),
+                  std::pair(2, 1)}) {
+                CAPTURE(theta, yaw, about_pitch, about_yaw);
+                const Vector3d omega(-about_pitch * std::sin(yaw), about_pitch * std::cos(yaw),
+                                     about_yaw);
+                REQUIRE_THAT(euler_rates({0.3, theta, yaw}, omega),
+                             IsExactly(std::optional<Vector3d>()));
+            }
     check_that(euler_rates({0.3, pi / 2 - 1e-6, -0.2}, {1, 2, 3}).has_value(),
                "rates of the angles at θ = π/2 − 1e-6, which is not yet gimbal lock");
 }
