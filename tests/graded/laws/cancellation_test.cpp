@@ -31,7 +31,7 @@ constexpr double far = 0x1p-16;
 // result from one that does not change.
 constexpr double least_slope = 0x1p-7;
 
-constexpr int enough = 150; // lines of arguments
+constexpr int enough = 80; // lines of arguments
 
 /// A line of arguments through a place where a part of the result is 0.
 template <FormulaIndex f, auto& formula> class Line {
