@@ -31,7 +31,8 @@ constexpr double far = 0x1p-16;
 // result from one that does not change.
 constexpr double least_slope = 0x1p-7;
 
-constexpr int enough = 80; // lines of arguments
+// How many lines of arguments are checked, and how many are tried. A line takes a hundred calls.
+constexpr int enough = 40, tries = 200;
 
 /// A line of arguments through a place where a part of the result is 0.
 template <FormulaIndex f, auto& formula> class Line {
@@ -164,7 +165,7 @@ template <FormulaIndex f, auto& formula> void check_what_is_left()
 {
     const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
     int lines = 0;
-    for (Random random : seeds(500)) {
+    for (Random random : seeds(tries)) {
         Line<f, formula> line(random);
         if (!line.is_usable()) continue;
         if (++lines > enough) break;
