@@ -5,6 +5,7 @@
 // answer to an impulse follow from one matrix.
 #include "deformable/contact/movers.hpp"
 
+#include "deformable/solid/rigid_motion.hpp"
 #include "formulas/collision.hpp"
 #include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/orientation.hpp"
@@ -57,23 +58,6 @@ std::vector<Wrench> loads_of(World& world, double time_step)
     return loads;
 }
 
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-
-// The Jacobian of the point at r from the center: its velocity is J (V, ω).
-Eigen::Matrix<double, 3, 6> jacobian(const Vector3d& r)
-{
-    Eigen::Matrix<double, 3, 6> J;
-    J << Matrix3d::Identity(), Matrix3d{{0, r.z(), -r.y()}, {-r.z(), 0, r.x()}, {r.y(), -r.x(), 0}};
-    return J;
-}
-
-Vector6d stacked(const Vector3d& a, const Vector3d& b)
-{
-    Vector6d both;
-    both << a, b;
-    return both;
-}
-
 // Whether a body has all six degrees of freedom.
 bool moves_freely(const RigidBody& rigid, const Body& body)
 {
@@ -102,15 +86,15 @@ void set_mass(Mover& mover, bool turns, const std::vector<Support>& supports, co
         turns ? Matrix3d(I_inv.inverse())
               : Matrix3d((I_inv + Matrix3d::Identity() / (very_large * m)).inverse());
     mover.free_mass = mover.mass;
-    mover.is_carried = !supports.empty();
     for (const Support& support : supports) {
-        const Vector6d s = jacobian(support.point - body.position).transpose() * support.direction;
+        const Vector6d s =
+            point_jacobian(support.point - body.position).transpose() * support.direction;
         mover.mass += very_large * m * s * s.transpose();
         mover.supports.push_back(support.direction);
     }
     mover.acceleration = body.inverse_mass * load.force;
     mover.angular_acceleration = I_inv * load.torque;
-    if (!mover.is_carried) return;
+    if (!mover.is_carried()) return;
     mover.inverse_mass = mover.mass.ldlt().solve(Matrix6d::Identity());
     const Vector6d a = mover.inverse_mass * stacked(load.force, load.torque);
     mover.acceleration = a.head<3>();
@@ -198,7 +182,7 @@ Matrix3d Mover::impulse_matrix_at(const Vector3d& point, const Vector3d& push) c
 {
     if (yields(push))
         return impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, point);
-    const Eigen::Matrix<double, 3, 6> J = jacobian(point - body.position);
+    const Matrix36d J = point_jacobian(point - body.position);
     return J * inverse_mass * J.transpose();
 }
 
@@ -209,7 +193,8 @@ void Mover::push(const Vector3d& point, const Vector3d& impulse)
         body = apply_impulse(body, point, impulse);
         return;
     }
-    const Vector6d change = inverse_mass * jacobian(point - body.position).transpose() * impulse;
+    const Vector6d change =
+        inverse_mass * point_jacobian(point - body.position).transpose() * impulse;
     body.velocity += change.head<3>();
     body.angular_velocity += change.tail<3>();
 }

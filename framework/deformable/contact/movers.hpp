@@ -15,17 +15,18 @@ namespace rigor {
 struct Mover {
     /// Static: a static or driven body, or one that sleeps.
     Body body;
-    Body start;              // before the solids moved
-    bool is_carried = false; // whether other rigid bodies hold against it
+    Body start; // before the solids moved
     /// The momentum (P, L) is `free_mass` times (V, ω) [kg, kg m, kg m²]. `mass` is very large
     /// where rigid bodies hold against the mover; its inverse is set only then.
     Matrix6d free_mass = Matrix6d::Identity(), mass = Matrix6d::Identity(),
              inverse_mass = Matrix6d::Zero();
-    std::vector<Vector3d> supports; // the directions in which rigid bodies hold it, towards it
+    std::vector<Vector3d> supports; // the directions of the forces by which rigid bodies carry it
     /// By gravity, springs, applied forces and drag, as far as what carries it lets it move
     /// [m/s², rad/s²].
     Vector3d acceleration = Vector3d::Zero(), angular_acceleration = Vector3d::Zero();
 
+    /// Whether other rigid bodies hold against it.
+    bool is_carried() const { return !supports.empty(); }
     /// Whether no rigid body holds against a push in this direction.
     bool yields(const Vector3d& push) const;
     /// The change of a point's velocity by an impulse there, if it pushes in this direction.

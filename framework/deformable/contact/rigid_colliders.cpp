@@ -105,7 +105,7 @@ void RigidColliders::apply_to(World& to) const
     for (std::size_t i = 0; i < pushed_.size(); ++i)
         if (pushed_[i].is_pushed) is_mover_pushed[movers_.of[i]] = 1;
     for (int i = 0; i < static_cast<int>(pushed_.size()); ++i) {
-        if (is_mover_pushed[movers_.of[i]] && !mover(i).body.is_static() && !mover(i).is_carried)
+        if (is_mover_pushed[movers_.of[i]] && !mover(i).body.is_static() && !mover(i).is_carried())
             to.bodies[i].state.position += lack_of_motion(i);
         if (!pushed_[i].is_pushed) continue;
         if (to.bodies[i].rest.is_asleep()) wake(to, {i});

@@ -6,14 +6,13 @@
 
 #include "deformable/elasticity/totals.hpp"
 #include "deformable/solid/handles.hpp"
+#include "deformable/solid/rigid_motion.hpp"
 #include "formulas/kinematics.hpp"
 #include "formulas/rotation.hpp"
 
 namespace rigor {
 
 namespace {
-
-using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 // The motion at the start of a step, about the center of mass X.
 struct Modes {
@@ -23,13 +22,6 @@ struct Modes {
     Vector3d velocity() const { return u.head<3>(); }
     Vector3d angular_velocity() const { return u.tail<3>(); }
 };
-
-Vector6d stacked(const Wrench& wrench)
-{
-    Vector6d both;
-    both << wrench.force, wrench.torque;
-    return both;
-}
 
 Modes modes_of(const NodeMotion& motion)
 {
@@ -54,9 +46,9 @@ Modes modes_of(const NodeMotion& motion)
     // velocities of a rigid body.
     modes.u = inverse.solve(momentum);
     // u̇ follows from the forces F on the nodes: (Sᵀ M S) u̇ = Sᵀ F - (Sᵀ M Ṡ) u.
-    modes.u_dot =
-        inverse.solve(force - stacked(inertial_wrench(particles, modes.X, modes.velocity(),
-                                                      modes.angular_velocity())));
+    const Wrench inertial =
+        inertial_wrench(particles, modes.X, modes.velocity(), modes.angular_velocity());
+    modes.u_dot = inverse.solve(force - stacked(inertial.force, inertial.torque));
     return modes;
 }
 

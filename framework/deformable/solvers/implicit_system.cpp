@@ -6,6 +6,8 @@
 // start that satisfies the ties, then the iterations.
 #include "deformable/solvers/implicit_system.hpp"
 
+#include "deformable/solid/rigid_motion.hpp"
+
 #include <algorithm>
 
 namespace rigor {
@@ -154,9 +156,7 @@ void ImplicitSystem::prepare_preconditioner(const std::vector<SystemBody>& bodie
             inverse_diagonal_[t.node] = P * free.inverse() * P;
         }
         if (t.body < 0) continue;
-        Eigen::Matrix<double, 3, 6> J; // Jacobian of a point that moves with the body
-        J << Matrix3d::Identity(),
-            Matrix3d{{0, t.r.z(), -t.r.y()}, {-t.r.z(), 0, t.r.x()}, {t.r.y(), -t.r.x(), 0}};
+        const Matrix36d J = point_jacobian(t.r);
         const Matrix3d held = t.N * A * t.N + t.damping * (Matrix3d::Identity() - t.N);
         inverse_bodies_[t.body] += J.transpose() * held * J;
     }
@@ -177,9 +177,7 @@ void ImplicitSystem::precondition(const Vectors& r, Vectors& z) const
             z[i] = inverse_diagonal_[i] * r[i];
     }
     for (std::size_t b = 0; b < inverse_bodies_.size(); ++b) {
-        Eigen::Matrix<double, 6, 1> f;
-        f << r[nodes_ + 2 * b], r[nodes_ + 2 * b + 1];
-        f = (inverse_bodies_[b] * f).eval();
+        const Vector6d f = inverse_bodies_[b] * stacked(r[nodes_ + 2 * b], r[nodes_ + 2 * b + 1]);
         z[nodes_ + 2 * b] = f.head<3>();
         z[nodes_ + 2 * b + 1] = f.tail<3>();
     }

@@ -114,14 +114,15 @@ public:
     void add(const Laws& laws)
     {
         for (const auto& [key, law] : laws) {
-            bench_.row({{"task", key.first},
-                        {"test", key.second},
-                        {"class", law.tolerance_class},
-                        {"right, at most", law.right},
-                        {"by", law.right_by},
-                        {"mistakes", static_cast<double>(law.mistakes)},
-                        {"wrong, at least", law.mistakes ? law.wrong : 0.0},
-                        {"which", law.wrong_by}});
+            bench_.row(
+                {{"task", key.first},
+                 {"test", key.second},
+                 {"class", law.tolerance_class},
+                 {"right, at most", law.right},
+                 {"by", law.right_by},
+                 {"mistakes", static_cast<double>(law.mistakes)},
+                 {"wrong, at least", law.mistakes ? Bench::Value(law.wrong) : Bench::Value("")},
+                 {"which", law.wrong_by}});
             if (law.right * margin > 1)
                 near_ += is_unexplained(key.second, law.right, law.right_by);
         }
