@@ -34,6 +34,32 @@ TEST_CASE("collision: a static body that moves counts with its velocity", "[A4.3
     }
 }
 
+TEST_CASE("collision: each velocity of either body counts alone", "[A4.3][collision]")
+{
+    // which of V₁, ω₁, V₂ and ω₂ are not zero, and which body is static, or both
+    for (Random random : seeds(3))
+        for (int moves = 0; moves < 16; ++moves)
+            for (int statics = 0; statics < 4; ++statics)
+                for (const bool at_origin : {false, true}) {
+                    Body bodies[] = {random.body(), random.body()};
+                    for (int i = 0; i < 2; ++i) {
+                        if (statics >> i & 1) bodies[i] = static_body(random);
+                        if (!(moves >> 2 * i & 1)) bodies[i].velocity.setZero();
+                        if (!(moves >> 2 * i & 2)) {
+                            bodies[i].angular_velocity.setZero();
+                            bodies[i].angular_momentum.setZero();
+                        }
+                        if (at_origin) bodies[i].position.setZero();
+                    }
+                    const auto& [body1, body2] = bodies;
+                    const Vector3d x = random.vector();
+                    const Vector3d v = velocity_at(body1, x) - velocity_at(body2, x);
+                    CAPTURE(moves, statics, at_origin);
+                    REQUIRE_THAT(relative_velocity(body1, body2, x),
+                                 IsClose(v, Rounding(64, moves == 0 ? 0 : 4)));
+                }
+}
+
 TEST_CASE("collision: the impulse matrix of rods and point masses", "[A4.4][collision]")
 {
     for (Random random : seeds(50))

@@ -49,8 +49,11 @@ Vector3d jammed(const Matrix3d& K, const Vector3d& v, double restitution, double
     return j_n * up + std::min(1.0, friction * j_n / j_T.norm()) * j_T;
 }
 
-constexpr double negative_restitutions[] = {-1, -0.999, -0.95, -0.9, -0.5, -0.1};
-constexpr double restitutions[] = {-1, -0.95, -0.5, 0, 0.5, 1};
+// Topic `contact` uses -1 < ε ≤ 0, and ε = -1 + 1/n in the first of n iterations.
+constexpr double negative_restitutions[] = {-1,     -1 + 0x1p-44, -1 + 0x1p-31, -1 + 0x1p-20,
+                                            -0.999, -0.95,        -0.9,         -0.5,
+                                            -0.1,   -0x1p-20,     -0x1p-44};
+constexpr double restitutions[] = {-1, -1 + 0x1p-40, -0.95, -0.5, 0, 0.5, 1};
 constexpr double jamming_frictions[] = {2.5, 3, 6, 2000};
 
 LevelSet grid_of(const std::array<int, 3>& size, double (*value)(const Vector3d& node))

@@ -252,4 +252,20 @@ TEST_CASE("collision: the normal of a level set far from its surface", "[A4.2][c
     }
 }
 
+TEST_CASE("collision: the last digits of the distances have a direction", "[A4.2][collision]")
+{
+    // far + s (x + 2 y + 2 z), whose slope 3 s goes down to a few of the last digits of `far`. In
+    // the middle of the cell all sums are exact.
+    for (const double far : {1.0, -1.0, 0x1p40, -0x1p-40})
+        for (int power = 0; power <= 50; ++power) {
+            CAPTURE(far, power);
+            LevelSet grid = {{0, 0, 0}, 1, {2, 2, 2}, {}};
+            for (int i = 0; i < 8; ++i)
+                grid.distances.push_back(
+                    far * (1 + std::ldexp((i & 1) + (i & 2) + (i >> 2) * 2, -power)));
+            const Vector3d n = (far > 0 ? 1 : -1) * Vector3d(1, 2, 2) / 3;
+            REQUIRE_THAT(level_set_normal(grid, {0.5, 0.5, 0.5}), IsClose(n, Rounding(64, 1)));
+        }
+}
+
 } // namespace collision_strata_test
