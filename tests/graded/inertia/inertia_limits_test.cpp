@@ -62,7 +62,7 @@ TEST_CASE("inertia: principal axes of a tensor that is nearly diagonal", "[A2.4]
             INFO("I = Q diag(moments) Qᵀ");
             REQUIRE_THAT(
                 Matrix3d(axes.rotation * axes.moments.asDiagonal() * axes.rotation.transpose()),
-                IsClose(I, Rounding(64, I.norm())));
+                IsClose(I, Rounding(256, I.norm())));
         }
 }
 

@@ -135,7 +135,7 @@ TEST_CASE("inertia: a box of twelve triangles", "[A2.13][inertia]")
 
     const MassProperties found = mesh_mass_properties(box(Vector3d::Zero(), Vector3d(1, 2, 3)), 2);
 
-    require_mass_properties(found, expected, 4, 16);
+    require_mass_properties(found, expected, 4, 64);
 }
 
 TEST_CASE("inertia: a right tetrahedron", "[A2.13][inertia]")
@@ -198,7 +198,7 @@ TEST_CASE("inertia: a mesh that moves and turns takes its inertia along", "[A2.1
 
         const MassProperties found = mesh_mass_properties(mesh, 2);
 
-        require_mass_properties(found, {12, X, R * I_body * R.transpose()}, X.norm() + 3, 64);
+        require_mass_properties(found, {12, X, R * I_body * R.transpose()}, X.norm() + 3, 128);
     }
 }
 
@@ -212,7 +212,7 @@ TEST_CASE("inertia: a box with a hollow is a box less a box", "[A2.13][inertia]"
 
     // I = M a²/6 for each cube: 64 · 16/6 - 8 · 4/6
     const MassProperties expected{56, Vector3d::Zero(), (1024 - 32) / 6.0 * Matrix3d::Identity()};
-    require_mass_properties(mesh_mass_properties(mesh, 1), expected, 4, 16);
+    require_mass_properties(mesh_mass_properties(mesh, 1), expected, 4, 128);
 }
 
 TEST_CASE("inertia: a torus of triangles converges to second order", "[A2.13][inertia]")
@@ -235,17 +235,17 @@ TEST_CASE("inertia: a torus of triangles converges to second order", "[A2.13][in
 
 TEST_CASE("inertia: icospheres fill the sphere", "[A2.13][inertia]")
 {
-    const Tolerance digits{"R", 5e-11, 0, "half of the last digit given"};
     TriangleMesh mesh = icosahedron();
-    for (const double share : {0.6054613829, 0.8734532000, 0.9661607486, 0.9913938426}) {
+    for (const double share :
+         {0.6054613829125256, 0.8734532000030632, 0.9661607485985871, 0.9913938426297548}) {
         CAPTURE(mesh.triangles.size());
 
         const MassProperties found = mesh_mass_properties(mesh, 1);
 
-        REQUIRE_THAT(found.mass / (4 * pi / 3), IsClose(share, digits));
+        REQUIRE_THAT(found.mass / (4 * pi / 3), IsClose(share, Rounding(256, 1)));
         INFO("its symmetry leaves no axis apart");
         const Matrix3d round = found.inertia.trace() / 3 * Matrix3d::Identity();
-        REQUIRE_THAT(found.inertia, IsClose(round, Rounding(64, share * 4 * pi / 3)));
+        REQUIRE_THAT(found.inertia, IsClose(round, Rounding(256, share * 4 * pi / 3)));
         mesh = refined(mesh);
     }
 }

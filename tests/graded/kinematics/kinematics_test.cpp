@@ -92,10 +92,10 @@ TEST_CASE("kinematics: a rigid motion turns and then moves a point", "[A1.2][kin
         const Vector3d x1 = world_point(q.toRotationMatrix(), X, p1);
         const Vector3d x2 = world_point(q.toRotationMatrix(), X, p2);
 
-        REQUIRE_THAT(x1, IsClose(Vector3d(q * p1 + X), Rounding(16, p1.norm() + X.norm())));
+        REQUIRE_THAT(x1, IsClose(Vector3d(q * p1 + X), Rounding(64, p1.norm() + X.norm())));
         INFO("distances are kept");
         REQUIRE_THAT((x1 - x2).norm(),
-                     IsClose((p1 - p2).norm(), Rounding(16, p1.norm() + p2.norm() + X.norm())));
+                     IsClose((p1 - p2).norm(), Rounding(64, p1.norm() + p2.norm() + X.norm())));
     }
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("kinematics: the way back undoes the way there", "[A1.3][kinematics]")
         const Vector3d x = q * p + X;
 
         REQUIRE_THAT(object_point(q.toRotationMatrix(), X, x),
-                     IsClose(p, Rounding(16, p.norm() + 2 * X.norm())));
+                     IsClose(p, Rounding(64, p.norm() + 2 * X.norm())));
     }
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("kinematics: angular velocity is in world space", "[A1.4][kinematics]"
         const Matrix3d R = random.rotation();
         const Vector3d w = random.vector();
 
-        REQUIRE_THAT(angular_velocity(star(w) * R, R), IsClose(w, Rounding(16, w.norm())));
+        REQUIRE_THAT(angular_velocity(star(w) * R, R), IsClose(w, Rounding(64, w.norm())));
     }
 }
 

@@ -114,7 +114,7 @@ void blend_chosen(Arguments& a, const Arguments& b, const FormulaQuantities& of,
 // The rounding of a few operations, magnified by the condition of K where a formula divides by K.
 Tolerance of_superposition(double scale)
 {
-    return Rounding(1 << 12, scale);
+    return Rounding(1 << 14, scale);
 }
 
 double largest_number(const Components& parts)

@@ -45,7 +45,7 @@ template <FormulaIndex f, auto& formula> void check_continuity()
                              "the result may change by no more than some multiple of that; the "
                              "expected value is the result for such changed arguments",
                              name_of(f), t));
-            REQUIRE_THAT(found, IsClose(limit, Order(512 * t)));
+            REQUIRE_THAT(found, IsClose(limit, Order(2048 * t)));
         }
     }
 }

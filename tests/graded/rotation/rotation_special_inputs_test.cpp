@@ -62,7 +62,7 @@ TEST_CASE("rotation: a half turn turns a vector", "[A3.8][rotation]")
 TEST_CASE("rotation: the matrix of a half turn", "[A3.9][rotation]")
 {
     for_each_axis([](const Vector3d& n) {
-        REQUIRE_THAT(to_matrix({0, n}), IsClose(half_turn(n), Rounding(16, 1)));
+        REQUIRE_THAT(to_matrix({0, n}), IsClose(half_turn(n), Rounding(64, 1)));
     });
 }
 
