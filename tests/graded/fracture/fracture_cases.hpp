@@ -85,6 +85,19 @@ inline TetrahedralMesh jiggled(TetrahedralMesh mesh, Random& random)
     return mesh;
 }
 
+/// n tetrahedra in a closed ring around the edge between the vertices 0 and 1. The vertex 2 + i is
+/// between the tetrahedra i - 1 and i.
+inline TetrahedralMesh ring_around_edge(int n)
+{
+    TetrahedralMesh mesh = {{{0, 0, -1}, {0, 0, 1}}, {}};
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        mesh.vertices.push_back({std::cos(angle), std::sin(angle), 0});
+        mesh.tetrahedra.push_back({0, 2 + i, 2 + (i + 1) % n, 1});
+    }
+    return mesh;
+}
+
 inline std::array<Vector3d, 4> corners_of(const TetrahedralMesh& mesh, int t)
 {
     const Tetrahedron& c = mesh.tetrahedra[t];

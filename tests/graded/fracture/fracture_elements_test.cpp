@@ -1,108 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A7.6: a crack through a vertex cuts elements.
-#include "fracture_laws.hpp"
+#include "element_laws.hpp"
 #include "support/seeds.hpp"
 
 namespace rigor::testing {
 
 namespace {
-
-constexpr double snap_distance = 0.05; // fraction of the longest edge, as in the header
-
-// Heights above the plane of the vertices of all tetrahedra that have `vertex`. A vertex that
-// counts as on the plane has the height 0. `margin` is the least distance of a height from the
-// threshold where this flips, as a fraction of the longest edge.
-struct Heights {
-    std::map<int, double> of;
-    double margin = 1;
-};
-
-Heights heights(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
-{
-    Heights result;
-    double longest = 0;
-    for (const Tetrahedron& t : mesh.tetrahedra)
-        if (corner_of(t, vertex) < 4)
-            for (int a : t) {
-                result.of[a] = n.dot(mesh.vertices[a] - mesh.vertices[vertex]);
-                for (int b : t)
-                    longest = std::max(longest, (mesh.vertices[a] - mesh.vertices[b]).norm());
-            }
-    for (auto& [v, h] : result.of) {
-        result.margin = std::min(result.margin, std::abs(std::abs(h) / longest - snap_distance));
-        if (std::abs(h) < snap_distance * longest) h = 0;
-    }
-    return result;
-}
-
-// Checks that new vertices lie on exactly those edges of the vertex's tetrahedra that the plane
-// cuts, and at the right place on them.
-void check_new_vertices(const TetrahedralMesh& mesh, const SplitMesh& result, int vertex,
-                        const Vector3d& n)
-{
-    const std::map<int, double> h = heights(mesh, vertex, n).of;
-    std::map<std::array<int, 2>, double> expected; // where each edge a < b is cut
-    for (const Tetrahedron& t : mesh.tetrahedra)
-        if (corner_of(t, vertex) < 4)
-            for (int a : t)
-                for (int b : t)
-                    if (a < b && h.at(a) * h.at(b) < 0)
-                        expected[{a, b}] = h.at(a) / (h.at(a) - h.at(b));
-
-    std::set<std::array<int, 2>> found;
-    for (const auto& [first, second, t] : result.origins) {
-        if (first == second || t == 0 || t == 1) continue; // an old vertex
-        const std::array<int, 2> edge = {std::min(first, second), std::max(first, second)};
-        CAPTURE(edge[0], edge[1]);
-        check_that(expected.contains(edge), "a new vertex lies on an edge that the plane cuts");
-        INFO("where on its edge a new vertex is");
-        REQUIRE_THAT(first < second ? t : 1 - t, IsClose(expected[edge], Rounding(256, 1)));
-        found.insert(edge);
-    }
-    check_count(found.size(), expected.size(),
-                "edges with a new vertex, those that the plane cuts");
-}
-
-// Checks that all matter around each copy of the vertex is on one side of the plane, and that both
-// sides have a copy.
-void check_sides(const TetrahedralMesh& mesh, const SplitMesh& result, int vertex,
-                 const Vector3d& n)
-{
-    const std::map<int, double> h = heights(mesh, vertex, n).of;
-    const auto height_of = [&](int v) { // height of a vertex of `result`
-        const auto& [first, second, t] = result.origins[v];
-        const bool is_old = first == second || t == 0 || t == 1;
-        return is_old ? h.at(t == 1 ? second : first) : 0.0;
-    };
-    std::map<int, std::array<bool, 2>> sides; // matter above and below each copy
-    for (const Tetrahedron& t : result.mesh.tetrahedra)
-        for (int copy : t) {
-            const VertexOrigin& origin = result.origins[copy];
-            if (origin.first != vertex || origin.second != vertex) continue;
-            for (int v : t) {
-                sides[copy][0] |= height_of(v) > 0;
-                sides[copy][1] |= height_of(v) < 0;
-            }
-        }
-    int above = 0, below = 0;
-    for (const auto& [copy, side] : sides) {
-        CAPTURE(copy);
-        check_that(side[0] != side[1],
-                   "all matter around a copy of the vertex is above the plane, or all is below");
-        ++(side[0] ? above : below);
-    }
-    check_that(above > 0, "a copy of the vertex has matter above the plane");
-    check_that(below > 0, "a copy of the vertex has matter below the plane");
-}
-
-SplitMesh split(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
-{
-    const SplitMesh result = split_element(mesh, vertex, n);
-    check_split(mesh, result);
-    check_new_vertices(mesh, result, vertex, n);
-    check_sides(mesh, result, vertex, n);
-    return result;
-}
 
 void check_unchanged(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
 {
@@ -133,7 +36,7 @@ TEST_CASE("fracture: a plane through two vertices halves a tetrahedron", "[A7.6]
     everywhere(unit_tetrahedron(), [](const Placed& at) {
         for (const double sign : {1.0, -1.0}) {
             const SplitMesh result =
-                split(at.mesh, at.vertex[0], sign * at.R * Vector3d(1, -1, 0).normalized());
+                cut_at(at.mesh, at.vertex[0], sign * at.R * Vector3d(1, -1, 0).normalized());
             check_count(tetrahedron_count(result.mesh), 2, "tetrahedra");
             check_count(vertex_count(result.mesh), 8, "vertices");
             check_piece_volumes(result.mesh, std::vector<double>(2, std::pow(at.length, 3) / 12),
@@ -148,7 +51,7 @@ TEST_CASE("fracture: a plane through one vertex cuts off a corner", "[A7.6][frac
     // from vertex 1.
     everywhere(unit_tetrahedron(), [](const Placed& at) {
         const SplitMesh result =
-            split(at.mesh, at.vertex[0], at.R * Vector3d(2, -1, -1).normalized());
+            cut_at(at.mesh, at.vertex[0], at.R * Vector3d(2, -1, -1).normalized());
         check_count(tetrahedron_count(result.mesh), 3, "tetrahedra");
         check_count(vertex_count(result.mesh), 4 + 5, "vertices");
         const double whole = std::pow(at.length, 3) / 6, corner = 2.0 / 3 * 2 / 3 * whole;
@@ -167,13 +70,13 @@ TEST_CASE("fracture: a vertex near the plane counts as on it", "[A7.6][fracture]
     };
     for (const double near : {0.0499999, -0.0499999, 0.01}) {
         CAPTURE(near);
-        const SplitMesh result = split(unit_tetrahedron(), 0, tilted(near));
+        const SplitMesh result = cut_at(unit_tetrahedron(), 0, tilted(near));
         check_count(tetrahedron_count(result.mesh), 2, "tetrahedra");
         check_count(vertex_count(result.mesh), 8, "vertices");
     }
     for (const double off : {0.0500001, -0.0500001, 0.1}) {
         CAPTURE(off);
-        const SplitMesh result = split(unit_tetrahedron(), 0, tilted(off));
+        const SplitMesh result = cut_at(unit_tetrahedron(), 0, tilted(off));
         check_count(tetrahedron_count(result.mesh), 3, "tetrahedra");
         check_count(vertex_count(result.mesh), 9, "vertices");
     }
@@ -199,7 +102,7 @@ TEST_CASE("fracture: a neighbour is halved with the edge that it shares", "[A7.6
     // too. That one is cut, but does not come apart, since only vertex 0 is doubled.
     everywhere(two_tetrahedra(), [](const Placed& at) {
         const SplitMesh result =
-            split(at.mesh, at.vertex[0], at.R * Vector3d(1, -1, 0).normalized());
+            cut_at(at.mesh, at.vertex[0], at.R * Vector3d(1, -1, 0).normalized());
         check_count(tetrahedron_count(result.mesh), 4, "tetrahedra");
         check_count(vertex_count(result.mesh), 5 + 1 + 1, "vertices");
         check_count(piece_count(result.mesh), 1, "pieces");
@@ -208,12 +111,44 @@ TEST_CASE("fracture: a neighbour is halved with the edge that it shares", "[A7.6
     });
 }
 
+TEST_CASE("fracture: a tetrahedron beside the vertex is halved at each of its cut edges",
+          "[A7.6][fracture]")
+{
+    // A tetrahedron has an inner vertex 4, near its face 1 2 3, and three of its four parts meet at
+    // vertex 0. The fourth part, 1 2 3 4, does not have vertex 0. A plane that separates one of its
+    // vertices cuts three of its edges, and one that separates two cuts four.
+    const TetrahedralMesh whole = {
+        {{0, 0, 1}, {1, 0, 0}, {-0.5, 0.8, 0}, {-0.5, -0.8, 0}, {0.05, 0.02, 0.3}},
+        {{1, 2, 4, 0}, {2, 3, 4, 0}, {3, 1, 4, 0}, {1, 2, 3, 4}}};
+    std::set<int> counts; // how many edges of the fourth part were cut
+    everywhere(whole, [&](const Placed& at) {
+        for (int i = 0; i < 24; ++i) {
+            CAPTURE(i);
+            const double angle = 0.1 + i * std::numbers::pi / 12;
+            const Vector3d n =
+                at.R * Vector3d(std::cos(angle), std::sin(angle), 0.2 * (i % 3 - 1)).normalized();
+            std::map<int, double> h = heights(at.mesh, at.vertex[0], n).of;
+            int edges = 0;
+            for (int a = 1; a <= 4; ++a)
+                for (int b = 1; b < a; ++b)
+                    edges += h.at(at.vertex[a]) * h.at(at.vertex[b]) < 0;
+            const SplitMesh result = cut_at(at.mesh, at.vertex[0], n);
+            const auto halves =
+                std::count(result.parents.begin(), result.parents.end(), at.tetrahedron[3]);
+            check_that(halves > edges, "each cut edge adds a part at least");
+            counts.insert(edges);
+        }
+    });
+    check_that(counts.contains(3) && counts.contains(4),
+               "cases with three and with four cut edges");
+}
+
 TEST_CASE("fracture: a plane along faces cuts no tetrahedron", "[A7.6][fracture]")
 {
     const TetrahedralMesh cube = block(4, 4, 4);
     for (const Vector3d& n : {Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, -1)}) {
         CAPTURE(n);
-        const SplitMesh result = split(cube, block_vertex(4, 4, 2, 2, 2), n);
+        const SplitMesh result = cut_at(cube, block_vertex(4, 4, 2, 2, 2), n);
         check_count(tetrahedron_count(result.mesh), tetrahedron_count(cube), "tetrahedra");
         check_count(vertex_count(result.mesh), vertex_count(cube) + 1,
                     "vertices"); // the rim stays closed
@@ -225,7 +160,7 @@ TEST_CASE("fracture: every plane through its middle halves an octahedron", "[A7.
     for (const Vector3d& n : {Vector3d(1, 2, 3), Vector3d(-2, 1, 4), Vector3d(1, 1, -1),
                               Vector3d(3, 0, 4), Vector3d(0, 1, 0)}) {
         CAPTURE(n);
-        const SplitMesh result = split(octahedron(), 0, n.normalized());
+        const SplitMesh result = cut_at(octahedron(), 0, n.normalized());
         check_count(piece_count(result.mesh), 2, "pieces");
         check_piece_volumes(result.mesh, std::vector{2.0 / 3, 2.0 / 3}, Rounding(64, 1));
     }
@@ -234,7 +169,7 @@ TEST_CASE("fracture: every plane through its middle halves an octahedron", "[A7.
 TEST_CASE("fracture: the area of a crack through an octahedron", "[A7.6][fracture]")
 {
     // the plane x + y + z = 0 meets the edges in their middles: a regular hexagon of side 1/√2
-    const SplitMesh result = split(octahedron(), 0, Vector3d(1, 1, 1).normalized());
+    const SplitMesh result = cut_at(octahedron(), 0, Vector3d(1, 1, 1).normalized());
     check_count(vertex_count(result.mesh), 6 + 2 * 7, "vertices");
     const double hexagon = 1.5 * std::numbers::sqrt3 / 2;
     REQUIRE_THAT(surface_areas(result.mesh).cracks, IsClose(2 * hexagon, Rounding(64, 1)));
@@ -249,7 +184,7 @@ TEST_CASE("fracture: cuts at the vertices of a section break a bar there", "[A7.
     int cuts = 0;
     for (int next = two_sided_vertex(bar.mesh); next >= 0; next = two_sided_vertex(bar.mesh)) {
         check_count(piece_count(bar.mesh), 1, "pieces");
-        bar = split(bar.mesh, next, Vector3d::UnitX());
+        bar = cut_at(bar.mesh, next, Vector3d::UnitX());
         check_count(tetrahedron_count(bar.mesh), 12, "tetrahedra");
         check_that(++cuts <= 4, "the bar is in two pieces after four cuts at most");
     }
@@ -272,7 +207,7 @@ TEST_CASE("fracture: a cut keeps volume and center and inverts nothing",
             below |= height < 0;
         }
         if (above && below)
-            split(mesh, vertex, n);
+            cut_at(mesh, vertex, n);
         else
             check_unchanged(mesh, vertex, n);
     }

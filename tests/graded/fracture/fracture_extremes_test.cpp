@@ -9,19 +9,6 @@ namespace rigor::testing::fracture_extremes_test {
 
 namespace {
 
-// n tetrahedra in a closed ring around the edge between the vertices 0 and 1. The vertex 2 + i is
-// between the tetrahedra i - 1 and i.
-TetrahedralMesh ring_around_edge(int n)
-{
-    TetrahedralMesh mesh = {{{0, 0, -1}, {0, 0, 1}}, {}};
-    for (int i = 0; i < n; ++i) {
-        const double angle = 2 * std::numbers::pi * i / n;
-        mesh.vertices.push_back({std::cos(angle), std::sin(angle), 0});
-        mesh.tetrahedra.push_back({0, 2 + i, 2 + (i + 1) % n, 1});
-    }
-    return mesh;
-}
-
 // The mesh with its vertices listed behind `count` vertices that no tetrahedron uses.
 TetrahedralMesh behind_unused(const TetrahedralMesh& mesh, int count)
 {
