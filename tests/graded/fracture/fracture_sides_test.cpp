@@ -82,7 +82,7 @@ TEST_CASE("fracture: of a tetrahedron on the plane the center decides and no sin
 
 TEST_CASE("fracture: a center as near to the plane as can be told decides", "[A7.6][fracture]")
 {
-    for (int power = 10; power <= 40; ++power)
+    for (int power = 10; power <= 54; ++power)
         for (const double sign : {1.0, -1.0}) {
             CAPTURE(power, sign);
             // the mesh of the test above, but the center of tetrahedron 0 is at z = ±2^-power
@@ -100,6 +100,35 @@ TEST_CASE("fracture: a center as near to the plane as can be told decides", "[A7
             check_piece_volumes(result.mesh, sorted(std::vector{off, volume(mesh) - off}),
                                 Rounding(64, 1));
         }
+}
+
+TEST_CASE("fracture: a center however near to the plane decides", "[A7.6][fracture]")
+{
+    // Tetrahedron 0 has three vertices on the plane and vertex 3 below it, by 2^-power m. So its
+    // center is on the side of tetrahedron 1, and tetrahedron 2 comes off.
+    for (int power = 8; power <= 300; ++power) {
+        CAPTURE(power);
+        const TetrahedralMesh mesh = placed({{{0, 0, 0},
+                                              {1, 0, 0},
+                                              {0, 1, 0},
+                                              {0.6, 0.6, std::ldexp(-1, -power)},
+                                              {0.5, 0.3, -1},
+                                              {0.3, 0.3, 1}},
+                                             {{0, 1, 2, 3}, {0, 1, 3, 4}, {0, 1, 2, 5}}},
+                                            0, {0, 0, 0});
+        for (const double sign : {1.0, -1.0}) {
+            CAPTURE(sign);
+            const SplitMesh result = split_element(mesh, 0, sign * Vector3d::UnitZ());
+            check_split(mesh, result);
+            check_count(tetrahedron_count(result.mesh), 3, "tetrahedra");
+            const std::vector<int> piece = piece_labels(result.mesh);
+            std::array<int, 3> piece_of{}; // by the tetrahedron of the mesh before
+            for (std::size_t t = 0; t < 3; ++t)
+                piece_of[result.parents[t]] = piece[t];
+            check_that(piece_of[0] == piece_of[1], "the flat tetrahedron stays with the lower one");
+            check_that(piece_of[0] != piece_of[2], "the upper tetrahedron comes off");
+        }
+    }
 }
 
 namespace {
