@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A7: flat and tiny tetrahedra, tetrahedra that lie on the plane of a crack, stresses that hardly
-// pull.
+// pull, parts without matter.
 #include "fracture_laws.hpp"
 #include "support/seeds.hpp"
+#include "virtual_nodes_laws.hpp"
 
 namespace rigor::testing {
 
@@ -93,6 +94,56 @@ TEST_CASE("fracture: any tension above the threshold opens a crack", "[A7.3][fra
             REQUIRE_THAT(crack_plane(symmetric, 1.1 * sigma), IsExactly(std::optional<Vector3d>()));
         }
     }
+}
+
+namespace {
+
+// The gradient of the barycentric coordinate of a corner of the unit tetrahedron.
+Vector3d towards(int corner)
+{
+    if (corner == 0) return {-1, -1, -1};
+    return Vector3d::Unit(corner - 1);
+}
+
+} // namespace
+
+TEST_CASE("fracture: cracks also divide a part without matter", "[A7.7][fracture]")
+{
+    // Some corners lie on the plane of the first crack, on the side of its normal, so their part
+    // has no share. Each later crack takes one of them away from the others.
+    const TetrahedralMesh unit = unit_tetrahedron();
+    const std::vector<int> some[] = {{0, 1}, {0, 2},    {0, 3},    {1, 2},    {1, 3},
+                                     {2, 3}, {0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
+    for (const std::vector<int>& on_plane : some)
+        for (std::size_t later = 0; later < on_plane.size(); ++later)
+            for (const double sign : {1.0, -1.0}) {
+                CAPTURE(on_plane, later, sign);
+                Tetrahedron rest = {0, 0, 0, 0}, others = {1, 1, 1, 1};
+                for (int c : on_plane)
+                    rest[c] = 1, others[c] = 0;
+                Vector3d n = Vector3d::Zero();
+                for (int c = 0; c < 4; ++c)
+                    if (others[c] == 1) n -= towards(c);
+                Cracks cracks = {{0, unit.vertices[on_plane[0]], n.normalized()}};
+                std::vector<Tetrahedron> real = {others};
+                for (std::size_t i = 0; i < later; ++i) {
+                    const int c = on_plane[i];
+                    const Vector3d middle(c < 2 ? 0.5 : 0, c == 2 ? 0.5 : 0, c == 3 ? 0.5 : 0);
+                    cracks.push_back({0, middle, sign * towards(c).normalized()});
+                    rest[c] = 0;
+                    Tetrahedron alone = {0, 0, 0, 0};
+                    alone[c] = 1;
+                    real.push_back(alone);
+                }
+                real.push_back(rest);
+                std::sort(real.rbegin(), real.rend()); // by their first real corners
+                std::vector<double> shares;
+                for (const Tetrahedron& part : real)
+                    shares.push_back(part == others ? 1 : 0);
+                const EmbeddedMesh result = embedded(unit, cracks);
+                REQUIRE_THAT(result.real, IsExactly(real));
+                check_shares(result, shares, Rounding(16, 1));
+            }
 }
 
 TEST_CASE("fracture: an element without volume takes the stress of its neighbours",

@@ -268,6 +268,7 @@ struct CopyRules {
     bool corner_shares = false; // a quarter of the volume for each real corner
     bool drops_unused = false;  // vertices that no tetrahedron uses
     bool clips_all = false;     // clips each part by every crack through the tetrahedron
+    bool empty_stays = false;   // no crack divides a part without matter
 };
 
 /// The share of a tetrahedron's volume on the given sides of all planes. Recursive: an edge that
@@ -313,6 +314,8 @@ inline std::vector<Part> parts_of(const CopyRules& rules,
             }
             const Tetrahedron none = {0, 0, 0, 0};
             if (above.real == none || below.real == none) continue;
+            if (rules.empty_stays && share(Eigen::Matrix4d::Identity(), parts[i].planes) == 0)
+                continue;
             above.planes.push_back({h, true});
             below.planes.push_back({h, false});
             parts[i] = above;

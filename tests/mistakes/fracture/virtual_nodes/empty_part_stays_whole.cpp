@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// A part without matter is divided by no further crack, though cracks separate its corners.
+#include "mistakes/fracture/cutting.hpp"
+
+namespace rigor {
+
+EmbeddedMesh virtual_nodes(const TetrahedralMesh& mesh, const std::vector<ElementCrack>& cracks)
+{
+    cutting::CopyRules rules;
+    rules.empty_stays = true;
+    return cutting::copies_by(rules, mesh, cracks);
+}
+
+} // namespace rigor
