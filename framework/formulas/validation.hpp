@@ -6,7 +6,8 @@
 //
 // A right implementation follows the description of its formula up to rounding: its results may
 // differ from those of another right implementation by 1e-12 times the largest term. It may be
-// written in any way. A test may call it with arguments whose magnitudes are 1e-9 to 1e9.
+// written in any way. A test may call it with arguments whose magnitudes are 1e-9 to 1e9, or 0
+// where the description allows that. A wrong implementation may be wrong anywhere in these ranges.
 #pragma once
 
 #include "formulas/dimension.hpp"
@@ -28,7 +29,8 @@ struct LineVelocities {
 ///     v₁ ≤ v₂, they do not approach: u₁ = v₁ and u₂ = v₂
 ///     otherwise  u₁ - u₂ = -ε (v₁ - v₂)   and   m₁ u₁ + m₂ u₂ = m₁ v₁ + m₂ v₂
 ///
-/// with the masses m₁, m₂ > 0 [kg] and the restitution 0 ≤ ε ≤ 1.
+/// with the masses m₁, m₂ > 0 [kg] and the restitution 0 ≤ ε ≤ 1. The largest term is the larger
+/// one of |v₁| and |v₂|, also where the bodies do not approach: u₁ and u₂ may be rounded there too.
 using LineCollision = UnderTest<LineVelocities, double, double, double, double, double>;
 
 /// The formula (x₁, x₂, k, L) → the force of a spring on its end x₁ [N].
@@ -36,7 +38,8 @@ using LineCollision = UnderTest<LineVelocities, double, double, double, double, 
 ///     f = k (|x₂ - x₁| - L) (x₂ - x₁) / |x₂ - x₁|        x₁ = x₂: 0, the force has no direction
 ///
 /// with the ends x₁, x₂ [m], the stiffness k ≥ 0 [N/m] and the rest length L ≥ 0 [m]. A spring that
-/// is shorter than L pushes.
+/// is shorter than L pushes. The largest term is k (|x₂ - x₁| + L), however far both ends are from
+/// the origin.
 using SpringForce = UnderTest<Vector3d, Vector3d, Vector3d, double, double>;
 
 /// The formula n → a unit vector t perpendicular to the unit vector n. Any such t is right.
@@ -53,7 +56,8 @@ struct OscillatorState {
 ///
 /// ω > 0 [rad/s], h > 0 [s], and ω h ≤ ½. The method is left open. With the amplitude
 /// A = √(x² + v²/ω²), the error of one step is at most (ω h)³ A in the position, and at most
-/// ω (ω h)³ A in the velocity.
+/// ω (ω h)³ A in the velocity. A formula that exceeds one of these bounds is wrong, whatever its
+/// order. An oscillator that rests at x = 0 stays there.
 using OscillatorStep = UnderTest<OscillatorState, OscillatorState, double, double>;
 
 /// A formula that takes a list of numbers and returns a list of numbers. Only the dimensions of
@@ -77,7 +81,8 @@ Judgement test_oscillator_step(const OscillatorStep& step);
 /// if this holds for each of the three units, smaller and larger by factors up to 2⁴⁰.
 ///
 /// A right formula may take a root of a factor, which need not be exact: √(2⁴) = 2², but √2 is
-/// rounded. So the test must allow for rounding.
+/// rounded. So the test must allow for rounding, by 1e-12 times the number of the result itself.
+/// What is 0 for the example stays exactly 0, since no right formula subtracts roots.
 ///
 /// @param formula    takes as many numbers as `arguments` has dimensions
 /// @param example    arguments that the formula is made for, also after a unit is changed by a

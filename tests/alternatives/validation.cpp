@@ -16,7 +16,7 @@ double drawn(std::mt19937_64& bits, double low, double high)
 
 double of_any_size(std::mt19937_64& bits)
 {
-    return std::exp2(drawn(bits, -24, 24));
+    return std::exp2(drawn(bits, -29, 29)); // 2e-9 to 5e8
 }
 
 Vector3d direction(std::mt19937_64& bits)
@@ -30,16 +30,20 @@ Vector3d direction(std::mt19937_64& bits)
 Judgement test_line_collision(const LineCollision& collide)
 {
     std::mt19937_64 bits(7);
-    for (int i = 0; i < 300; ++i) {
-        const double size = of_any_size(bits), m1 = of_any_size(bits), m2 = of_any_size(bits);
-        const double v1 = drawn(bits, -size, size),
-                     v2 = i % 10 == 0 ? v1 : drawn(bits, -size, size);
-        const double e = i % 7 == 0 ? 0.05 : drawn(bits, 0, 1);
-        const double V = (m1 * v1 + m2 * v2) / (m1 + m2);
+    for (int i = 0; i < 500; ++i) {
+        const double m1 = i % 50 == 20 ? 1 : of_any_size(bits);
+        const double m2 = i % 50 == 20 ? 1 : of_any_size(bits);
+        const double v1 = (i % 4 < 2 ? 1 : -1) * of_any_size(bits);
+        double v2 = i % 2 == 0 ? v1 * drawn(bits, -2, 2) : (i % 8 < 4 ? 1 : -1) * of_any_size(bits);
+        if (i % 10 == 0) v2 = i % 50 == 20 ? -std::abs(v1) : v1;
+        const double e = i % 7 == 0   ? std::exp2(drawn(bits, -20, 0))
+                         : i % 7 == 1 ? 0
+                         : i % 7 == 2 ? 1
+                                      : drawn(bits, 0, 1);
+        const double V = (m1 * v1 + m2 * v2) / (m1 + m2), v = std::max(std::abs(v1), std::abs(v2));
         const double w1 = v1 > v2 ? V - e * (v1 - V) : v1, w2 = v1 > v2 ? V - e * (v2 - V) : v2;
         const auto [u1, u2] = collide(m1, m2, v1, v2, e);
-        if (!(std::abs(u1 - w1) <= 1e-11 * size && std::abs(u2 - w2) <= 1e-11 * size))
-            return rejected();
+        if (!(std::abs(u1 - w1) <= 1e-12 * v && std::abs(u2 - w2) <= 1e-12 * v)) return rejected();
     }
     return accepted();
 }
@@ -47,14 +51,18 @@ Judgement test_line_collision(const LineCollision& collide)
 Judgement test_spring_force(const SpringForce& force)
 {
     std::mt19937_64 bits(8);
-    for (int i = 0; i < 300; ++i) {
-        const double r = of_any_size(bits), k = of_any_size(bits);
-        const double L = i % 3 == 0   ? r * drawn(bits, 0, 2)
+    for (int i = 0; i < 400; ++i) {
+        const double r = std::exp2(drawn(bits, -29, 9)), k = i % 30 == 0 ? 0 : of_any_size(bits);
+        const double L = i % 30 == 1  ? 0
+                         : i % 3 == 0 ? r * drawn(bits, 0, 2)
                          : i % 3 == 1 ? r * (1 + drawn(bits, -1e-6, 1e-6))
                                       : of_any_size(bits);
-        const Vector3d x1 = r * direction(bits), x2 = x1 + r * direction(bits), d = x2 - x1;
+        Vector3d along = direction(bits);
+        along[i % 3] *= i % 5 == 0 ? 0 : i % 5 == 1 ? std::exp2(drawn(bits, -29, 0)) : 1;
+        const double away = std::exp2(drawn(bits, 0, 20)) * r;
+        const Vector3d x1 = away * direction(bits), x2 = x1 + r * along, d = x2 - x1;
         const Vector3d expected = k * (d.norm() - L) * d.normalized();
-        if (!((force(x1, x2, k, L) - expected).norm() <= 1e-12 * k * (3 * r + L)))
+        if (!((force(x1, x2, k, L) - expected).norm() <= 1e-12 * k * (d.norm() + L)))
             return rejected();
     }
     return force({1, 2, 3}, {1, 2, 3}, 5, 0.5).norm() == 0 ? accepted() : rejected();
@@ -66,7 +74,7 @@ Judgement test_tangent(const Tangent& tangent)
     for (int x = -2; x <= 2; ++x)
         for (int y = -2; y <= 2; ++y)
             for (int z = -2; z <= 2; ++z)
-                for (const double away : {0.0, 1e-8, 1e-5, 1e-3}) {
+                for (const double away : {0.0, 1e-10, 1e-9, 1e-8, 1e-7, 1e-5, 1e-3}) {
                     if (x == 0 && y == 0 && z == 0) continue;
                     const Vector3d n = (Vector3d(x, y, z) + away * direction(bits)).normalized();
                     const Vector3d t = tangent(n), b = n.cross(t);
@@ -75,7 +83,8 @@ Judgement test_tangent(const Tangent& tangent)
                     R << n, t, b;
                     if (!((R.transpose() * R - Matrix3d::Identity()).norm() <= 1e-11))
                         return rejected();
-                    if (!(std::abs(t.norm() - 1) <= 1e-12)) return rejected();
+                    if (!(std::abs(t.norm() - 1) <= 1e-12 && std::abs(t.dot(n)) <= 1e-12))
+                        return rejected();
                 }
     for (int i = 0; i < 100; ++i) {
         const Vector3d n = direction(bits).normalized(), t = tangent(n);
@@ -97,7 +106,8 @@ Judgement test_oscillator_step(const OscillatorStep& step)
                                     std::abs(v2 / w + A * std::sin(phase + a)));
         if (!(off <= A * (a * a * a + 1e-12))) return rejected();
     }
-    return accepted();
+    const auto [x, v] = step({0, 0}, 1, 0.25);
+    return x == 0 && v == 0 ? accepted() : rejected();
 }
 
 Judgement test_units(const UnknownFormula& formula, const std::vector<double>& example,
@@ -106,9 +116,9 @@ Judgement test_units(const UnknownFormula& formula, const std::vector<double>& e
     const std::vector<double> before = formula(example);
     std::mt19937_64 bits(11);
     for (int i = 0; i < 150; ++i) {
-        // One unit alone, by any power of two up to 2^±40.
+        // One unit alone, by 2^±40 and by any power of two between.
         int power[3] = {0, 0, 0};
-        power[i % 3] = static_cast<int>(bits() % 81) - 40;
+        power[i % 3] = i < 3 ? -40 : i < 6 ? 40 : static_cast<int>(bits() % 81) - 40;
         const auto grown = [&](double number, const Dimension& of, int sign) {
             const int n = power[0] * of.mass + power[1] * of.length + power[2] * of.time;
             return std::ldexp(number, sign * n);

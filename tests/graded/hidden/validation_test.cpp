@@ -80,6 +80,16 @@ TEST_CASE("line collision: hidden mistakes are rejected", "[A8.6][validation][hi
                    with_arguments(f, [](N& a) { a[0] = a[0] > 1e4 * a[1] ? 1e30 : a[0]; }),
                    with_arguments(f, [](N& a) { a[4] = a[2] < 0 ? 0 : a[4]; }),
                    with_arguments(f, [](N& a) { a[1] = std::min(a[1], 1e5); }),
+                   with_arguments(f, [](N& a) { a[4] = a[4] < 1e-4 ? 0 : a[4]; }),
+                   with_result(f, [](const N&, N& after) { after[0] *= 1 + 1e-9; }),
+                   with_result(f, [](const N&, N& after) { after[1] *= 1 - 1e-11; }),
+                   with_arguments(f, [](N& a) { a[1] = a[1] > 1e8 * a[0] ? 1e30 : a[1]; }),
+                   with_arguments(f, [](N& a) { a[4] = a[2] - a[3] > 1e7 ? 1 : a[4]; }),
+                   with_arguments(f,
+                                  [](N& a) {
+                                      const bool tiny = std::abs(a[2]) < 1e-7 * std::abs(a[3]);
+                                      a[2] = tiny && a[2] > a[3] ? 0 : a[2];
+                                  }),
                }));
 }
 
@@ -103,6 +113,16 @@ TEST_CASE("spring force: hidden mistakes are rejected", "[A8.6][validation][hidd
             with_arguments(
                 f, [](N& a) { a[7] *= a[3] > a[0] && a[4] > a[1] && a[5] > a[2] ? 1.01 : 1; }),
             with_result(f, [](const N& a, N& force) { force[1] -= 1e-4 * (a[1] + a[4]); }),
+            with_result(f, [](const N&, N& force) { force[0] *= 1 + 1e-9; }),
+            with_result(f, [](const N&, N& force) { force[1] *= 1 + 1e-11; }),
+            with_arguments(f, [](N& a) { a[6] = a[6] > 1e7 ? 1e7 : a[6]; }),
+            with_result(f, [](const N& a, N& force) { force[1] *= a[4] == a[1] ? NAN : 1; }),
+            with_arguments(f, [](N& a) { a[7] = a[7] < 1e-7 ? 0 : a[7]; }),
+            with_result(f,
+                        [=](const N& a, N& force) {
+                            const double away = std::hypot(a[0], a[1], a[2]);
+                            if (distance(a) < 1e-5 * away) force = {0, 0, 0};
+                        }),
         }));
 }
 
@@ -122,6 +142,23 @@ TEST_CASE("tangent: hidden mistakes are rejected", "[A8.6][validation][hidden]")
                 return N{1 - n[0] * n[0] * a, -n[0] * n[1] * a, -n[0]};
             },
             with_result(f, [](const N& n, N& t) { t[1] *= n[0] > 0 && n[0] < 0.05 ? 0.99 : 1; }),
+            with_result(f,
+                        [](const N&, N& t) {
+                            t = {t[0], t[1], t[2] * (1 + 1e-9)};
+                        }),
+            with_result(f,
+                        [](const N& n, N& t) {
+                            for (int i = 0; i < 3; ++i)
+                                t[i] += 1e-11 * n[i];
+                        }),
+            with_result(f,
+                        [](const N& n, N& t) {
+                            if (std::hypot(n[0], n[1]) < 1e-9 && n[2] < 0) t = {0, 1, 0};
+                        }),
+            with_result(f,
+                        [](const N& n, N& t) {
+                            if (std::hypot(n[1] - n[2], n[0]) < 1e-6) t = {1, 0, 0};
+                        }),
         }));
 }
 
@@ -139,6 +176,18 @@ TEST_CASE("oscillator: hidden mistakes are rejected", "[A8.6][validation][hidden
             with_arguments(f, [](N& s) { s[1] = s[0] == 0 ? 0 : s[1]; }),
             with_arguments(f, [](N& s) { s[2] = std::max(s[2], 1e-3); }),
             with_arguments(f, [](N& s) { s[1] = std::min(s[1], 1e4); }),
+            with_result(f,
+                        [](const N& s, N& after) {
+                            after[0] += 1.3 * std::pow(s[2] * s[3], 3) * s[1] / s[2];
+                        }),
+            with_result(f,
+                        [](const N& s, N& after) {
+                            after[1] -= 1.3 * std::pow(s[2] * s[3], 3) * s[0] * s[2];
+                        }),
+            with_arguments(
+                f, [](N& s) { s[3] *= s[2] * s[3] > 0.28 && s[2] * s[3] < 0.45 ? 0.8 : 1; }),
+            with_result(f,
+                        [](const N& s, N& after) { after[0] *= s[0] == 0 && s[1] == 0 ? NAN : 1; }),
         }));
 }
 
@@ -169,5 +218,14 @@ TEST_CASE("units: hidden mistakes are rejected", "[A8.6][validation][hidden]")
             with_units([](const N& a) { return N{a[2] < 1e-9 ? 0 : a[0] * a[1] / a[2]}; },
                        [](const N& a) { return N{a[0] * a[1] / a[2]}; }, {2, 3, 0.5},
                        {mass, speed, time}, force),
+            with_units([](const N& a) { return N{a[0] * a[1] * (1 + 1e-9 * std::tanh(a[1]))}; },
+                       product, {2, 3}, {speed, time}, length),
+            with_units([](const N& a) { return N{a[0] * a[1] * (1 + 1e-11 * std::tanh(a[1]))}; },
+                       product, {2, 3}, {speed, time}, length),
+            with_units([](const N& a) { return N{a[0] * std::max(a[1], 4e-12)}; }, product, {3, 1},
+                       {speed, time}, length),
+            with_units([](const N& a) { return N{a[1] < 1 ? 0 : std::min(a[1] - 1, a[0])}; },
+                       [](const N& a) { return N{std::max(0.0, a[1] - a[0])}; }, {3, 0.2},
+                       {time, time}, time),
         });
 }

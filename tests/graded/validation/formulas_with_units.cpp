@@ -20,6 +20,17 @@ constexpr Dimension number = {}, mass = {1, 0, 0}, length = {0, 1, 0}, time = {0
 
 } // namespace dimensions
 
+// A number whose root is taken ten times, and squared again. The squares make the rounding of the
+// roots a thousand times larger, to about 1e-13 of the number.
+double through_roots(double number)
+{
+    for (int i = 0; i < 10; ++i)
+        number = std::sqrt(number);
+    for (int i = 0; i < 10; ++i)
+        number *= number;
+    return number;
+}
+
 // Whether two numbers are equal up to 1e-9 of the larger one.
 bool nearly_equal(double a, double b)
 {
@@ -73,6 +84,13 @@ const Formulas& right_units()
          {2, 0.6, 1.4, -3.5},
          {mass, length, inertia, speed},
          {momentum}},
+        {"",
+         [](N a) {
+             return N{through_roots(a[0] / a[1]), through_roots(a[0]) * a[2]};
+         },
+         {3, 0.7, 5},
+         {length, time, rate},
+         {speed, speed}},
     };
     return all;
 }
@@ -133,6 +151,12 @@ const Formulas& wrong_powers()
          {speed, length},
          {speed},
          [](N a) { return N{-a[0]}; }},
+        {"has a constant inside that does not matter to the example, where the result is 0",
+         [](N a) { return N{std::max(0.0, a[0] - 9.81 * a[1])}; },
+         {3, 0.5, 8},
+         {speed, time, acceleration},
+         {speed},
+         [](N a) { return N{std::max(0.0, a[0] - a[2] * a[1])}; }},
     };
     return all;
 }
@@ -188,6 +212,40 @@ const Formulas& wrong_thresholds()
          {{0, 2, 0}},
          {length},
          [](N a) { return N{std::sqrt(a[0])}; }},
+        {"limits a number of the result, which is small beside another one",
+         [](N a) {
+             return N{a[0] * a[1], std::min(a[2], 1e-3)};
+         },
+         {3e6, 0.5, 2e-7},
+         {stiffness, length, length},
+         {force, length},
+         [](N a) {
+             return N{a[0] * a[1], a[2]};
+         }},
+        {"takes a number for zero that is 2^38 times as small as the example",
+         [](N a) { return N{a[1] < 8e-12 ? 0 : a[0] * a[1]}; },
+         {2, 2},
+         {acceleration, time},
+         {speed},
+         [](N a) { return N{a[0] * a[1]}; }},
+        {"has a limit that is 2^38 times as large as the example",
+         [](N a) { return N{a[0] * std::min(a[1], 1e12)}; },
+         {3, 2},
+         {speed, mass},
+         {momentum},
+         [](N a) { return N{a[0] * a[1]}; }},
+        {"is off by a ten-millionth for slow bodies",
+         [](N a) { return N{a[0] * a[1] * (1 + 1e-7 * std::tanh(a[1] * a[1]))}; },
+         {2, 3},
+         {mass, speed},
+         {momentum},
+         [](N a) { return N{a[0] * a[1]}; }},
+        {"is no number for small arguments",
+         [](N a) { return N{a[1] < 1e-6 ? std::nan("") : a[0] / a[1]}; },
+         {2, 3},
+         {length, time},
+         {speed},
+         [](N a) { return N{a[0] / a[1]}; }},
     };
     return all;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "candidates.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rigor::testing {
@@ -26,6 +27,13 @@ LineVelocities by_the_masses(double m1, double m2, double v1, double v2, double 
     if (!(v1 > v2)) return {v1, v2};
     return {((m1 - e * m2) * v1 + (1 + e) * m2 * v2) / (m1 + m2),
             ((m2 - e * m1) * v2 + (1 + e) * m1 * v1) / (m1 + m2)};
+}
+
+// Rounds also where the bodies do not approach.
+LineVelocities by_a_factor(double m1, double m2, double v1, double v2, double e)
+{
+    const double V = (m1 * v1 + m2 * v2) / (m1 + m2), factor = v1 > v2 ? -e : 1;
+    return {V + factor * (v1 - V), V + factor * (v2 - V)};
 }
 
 LineVelocities with_impulse(double j, double m1, double m2, double v1, double v2)
@@ -98,6 +106,45 @@ const Candidates<LineCollision>::Wrong special_collisions = {
      [](double m1, double m2, double v1, double v2, double e) {
          return by_impulse(m1, m2, v1, std::max(v2, v1 - 100), e);
      }},
+    {"is wrong for a restitution of exactly 1",
+     [](double m1, double m2, double v1, double v2, double e) {
+         if (v1 > v2 && e == 1) return LineVelocities{v2, v1};
+         return by_impulse(m1, m2, v1, v2, e);
+     }},
+    {"is wrong for a restitution of exactly 0",
+     [](double m1, double m2, double v1, double v2, double e) {
+         if (v1 > v2 && e == 0) return LineVelocities{(v1 + v2) / 2, (v1 + v2) / 2};
+         return by_impulse(m1, m2, v1, v2, e);
+     }},
+    {"is wrong where the bodies have the same velocity",
+     [](double m1, double m2, double v1, double v2, double e) {
+         const double d = v1 - v2, switched = (1 + d / std::abs(d)) / 2; // 0 / 0
+         return with_impulse((1 + e) * d * switched * reduced(m1, m2), m1, m2, v1, v2);
+     }},
+    {"is wrong where the center of mass is at rest",
+     [](double m1, double m2, double v1, double v2, double e) {
+         if (v1 <= v2) return LineVelocities{v1, v2};
+         const double V = (m1 * v1 + m2 * v2) / (m1 + m2);
+         return LineVelocities{V * (1 + e * (1 - v1 / V)), V * (1 + e * (1 - v2 / V))};
+     }},
+    {"is wrong where a body is much slower than the other",
+     [](double m1, double m2, double v1, double v2, double e) {
+         if (v1 > v2 && std::abs(v2) < 1e-6 * std::abs(v1)) v2 = 0;
+         return by_impulse(m1, m2, v1, v2, e);
+     }},
+    {"is wrong for very slow bodies",
+     [](double m1, double m2, double v1, double v2, double e) {
+         return by_impulse(m1, m2, v1, v2, v1 - v2 < 1e-7 ? 0 : e);
+     }},
+    {"is wrong for very heavy bodies",
+     [](double m1, double m2, double v1, double v2, double e) {
+         return by_impulse(std::min(m1, 1e7), m2, v1, v2, e);
+     }},
+    {"is off by a ten-millionth",
+     [](double m1, double m2, double v1, double v2, double e) {
+         const LineVelocities after = by_impulse(m1, m2, v1, v2, e);
+         return LineVelocities{after.v1, after.v2 * (1 + 1e-7)};
+     }},
 };
 
 } // namespace
@@ -105,7 +152,9 @@ const Candidates<LineCollision>::Wrong special_collisions = {
 const Candidates<LineCollision>& line_collisions()
 {
     static const Candidates<LineCollision> all = {
-        {by_impulse, about_the_center, by_the_masses}, ordinary_collisions, special_collisions};
+        {by_impulse, about_the_center, by_the_masses, by_a_factor},
+        ordinary_collisions,
+        special_collisions};
     return all;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "candidates.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rigor::testing {
@@ -59,6 +60,18 @@ State euler(State s, double w, double h)
     return {s.x + h * s.v, s.v - h * w * w * s.x};
 }
 
+using Eigen::Vector2d;
+
+// The exact step and an error of third order, (ω h)³ times a function of (x, v/ω).
+template <class Error> Function<OscillatorStep> beside_exact(const Error& error)
+{
+    return [error](const State& s, double w, double h) {
+        const Vector2d before(s.x, s.v / w);
+        const Vector2d y = exact(w * h) * before + std::pow(w * h, 3) * error(before);
+        return State{y[0], y[1] * w};
+    };
+}
+
 const Candidates<OscillatorStep>::Wrong ordinary_steps = {
     {"is of first order only", euler},
     {"is of first order only",
@@ -114,6 +127,24 @@ const Candidates<OscillatorStep>::Wrong special_steps = {
      }},
     {"is wrong for a high frequency",
      [](const State& s, double w, double h) { return midpoint(s, std::min(w, 50.0), h); }},
+    {"is wrong in steps of a middle length",
+     [](const State& s, double w, double h) {
+         return w * h > 0.14 && w * h < 0.22 ? euler(s, w, h) : midpoint(s, w, h);
+     }},
+    {"is off by a little more than the bound in the position",
+     beside_exact([](const Vector2d& y) { return Vector2d(1.1 * y.norm(), 0); })},
+    {"is off by a little more than the bound in the velocity",
+     beside_exact([](const Vector2d& y) { return Vector2d(0, 1.1 * y.norm()); })},
+    {"is off by a little more than the bound in the position, from rest",
+     beside_exact([](const Vector2d& y) { return Vector2d(1.1 * y[0], 0); })},
+    {"is off by a little more than the bound in the velocity, from x = 0",
+     beside_exact([](const Vector2d& y) { return Vector2d(0, 1.1 * y[1]); })},
+    {"is wrong for an oscillator that rests at x = 0",
+     [](const State& s, double w, double h) {
+         const double A = std::hypot(s.x, s.v / w), phase = std::asin(s.x / A);
+         if (s.v < 0) return verlet(s, w, h);
+         return State{A * std::sin(phase + w * h), A * w * std::cos(phase + w * h)};
+     }},
 };
 
 } // namespace

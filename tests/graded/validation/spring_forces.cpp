@@ -92,6 +92,38 @@ const Candidates<SpringForce>::Wrong special_springs = {
      spring([](double r, double L) { return r > 2 * L ? 2 * (r - L) : r - L; })},
     {"is wrong where the ends are close together",
      spring([](double r, double L) { return r < 1e-4 ? 0 : r - L; })},
+    {"is wrong for a rest length of 0", spring([](double r, double L) { return L * (r / L - 1); })},
+    {"is wrong for a stiffness of 0",
+     [](const Vector3d& x1, const Vector3d& x2, double k, double L) {
+         const double r = (x2 - x1).norm();
+         if (r == 0) return Vector3d(Vector3d::Zero());
+         return Vector3d(k * (1 - k * L / (k * r)) * (x2 - x1));
+     }},
+    {"is wrong far from the origin",
+     [](const Vector3d& x1, const Vector3d& x2, double k, double L) {
+         const double r2 = x1.squaredNorm() + x2.squaredNorm() - 2 * x1.dot(x2);
+         if (x1 == x2 || r2 <= 0) return Vector3d(Vector3d::Zero());
+         return Vector3d(k * (1 - L / std::sqrt(r2)) * (x2 - x1));
+     }},
+    {"is wrong for a spring that is perpendicular to an axis",
+     [](const Vector3d& x1, const Vector3d& x2, double k, double L) {
+         const Vector3d d = x2 - x1;
+         if (d.isZero(0)) return d;
+         const Vector3d direction = Vector3d(1, d.y() / d.x(), d.z() / d.x()).normalized();
+         return Vector3d(std::copysign(k * (d.norm() - L), d.x()) * direction);
+     }},
+    {"is wrong for a spring that is nearly perpendicular to an axis",
+     [](const Vector3d& x1, const Vector3d& x2, double k, double L) {
+         Vector3d d = x2 - x1;
+         for (double& component : d)
+             if (std::abs(component) < 1e-6 * (x2 - x1).norm()) component = 0;
+         return along_the_unit_vector(Vector3d::Zero(), d, k, L);
+     }},
+    {"is wrong for a very soft spring",
+     [](const Vector3d& x1, const Vector3d& x2, double k, double L) {
+         return along_the_unit_vector(x1, x2, k < 1e-7 ? 0 : k, L);
+     }},
+    {"is off by a ten-millionth", spring([](double r, double L) { return (r - L) * (1 + 1e-7); })},
 };
 
 } // namespace

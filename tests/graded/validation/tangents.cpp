@@ -82,6 +82,24 @@ const Candidates<Tangent>::Wrong special_tangents = {
          if (std::abs(n.x()) > 0.99) return Vector3d(Vector3d::UnitY());
          return by_the_farthest_axis(n);
      }},
+    {"is wrong very near an axis, but not on it",
+     [](const Vector3d& n) {
+         if (std::hypot(n.y(), n.z()) < 1e-7) return Vector3d(Vector3d::UnitY());
+         return by_the_farthest_axis(n);
+     }},
+    {"is wrong very near a diagonal between two axes, but not on it",
+     [](const Vector3d& n) {
+         if (std::hypot(n.x() - n.y(), n.z()) < 1e-8) return Vector3d(1, -1, 0).normalized();
+         return by_a_swap(n);
+     }},
+    {"is wrong where a component is nearly 0",
+     [](Vector3d n) {
+         for (double& component : n)
+             if (std::abs(component) < 1e-7) component = 0;
+         return without_a_root(n);
+     }},
+    {"is off by a ten-millionth",
+     [](const Vector3d& n) { return Vector3d((1 + 1e-7) * by_projection(n)); }},
 };
 
 } // namespace

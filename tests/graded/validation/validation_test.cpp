@@ -47,8 +47,7 @@ std::vector<NumericFormula> right_collisions()
 {
     std::vector<NumericFormula> all = numeric(line_collisions().right);
     all.push_back(rounded(all[0], [](const Numbers& a) {
-        const double v1 = a[2], v2 = a[3];
-        const double fastest = v1 > v2 ? std::max(std::abs(v1), std::abs(v2)) : 0;
+        const double fastest = std::max(std::abs(a[2]), std::abs(a[3])); // also moving apart
         return Numbers{fastest, fastest};
     }));
     return all;
