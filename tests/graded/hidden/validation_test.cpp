@@ -159,6 +159,11 @@ TEST_CASE("tangent: hidden mistakes are rejected", "[A8.6][validation][hidden]")
                         [](const N& n, N& t) {
                             if (std::hypot(n[1] - n[2], n[0]) < 1e-6) t = {1, 0, 0};
                         }),
+            with_result(f,
+                        [](const N& n, N& t) {
+                            const double away = std::hypot(n[0] - n[1], n[0] + n[2]);
+                            if (n[2] > 0 && away < 1e-7) t = {M_SQRT1_2, -M_SQRT1_2, 0};
+                        }),
         }));
 }
 
@@ -176,6 +181,8 @@ TEST_CASE("oscillator: hidden mistakes are rejected", "[A8.6][validation][hidden
             with_arguments(f, [](N& s) { s[1] = s[0] == 0 ? 0 : s[1]; }),
             with_arguments(f, [](N& s) { s[2] = std::max(s[2], 1e-3); }),
             with_arguments(f, [](N& s) { s[1] = std::min(s[1], 1e4); }),
+            with_arguments(f, [](N& s) { s[2] = std::min(s[2], 1e7); }),
+            with_arguments(f, [](N& s) { s[0] = std::abs(s[0]) < 1e-6 ? 0 : s[0]; }),
             with_result(f,
                         [](const N& s, N& after) {
                             after[0] += 1.3 * std::pow(s[2] * s[3], 3) * s[1] / s[2];
