@@ -15,18 +15,23 @@ namespace rigor::mutants {
 
 namespace {
 
-// The text in one line, with single spaces.
+// The text in one line, with single spaces and without comments.
 std::string in_one_line(std::string_view text)
 {
     constexpr std::size_t longest = 200;
     std::string result;
-    for (const char c : text) {
+    bool is_comment = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
         const bool is_space = c == ' ' || c == '\n';
+        is_comment = c != '\n' && (is_comment || text.substr(i, 2) == "//");
+        if (is_comment) continue;
         if (!is_space)
             result += c;
         else if (!result.empty() && result.back() != ' ')
             result += ' ';
     }
+    if (!result.empty() && result.back() == ' ') result.pop_back();
     if (result.size() > longest) result.replace(longest / 2, result.size() - longest, " ... ");
     return result;
 }
