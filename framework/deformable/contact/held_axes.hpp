@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contacts of nodes of which handles prescribe some coordinates. A contact can move such a node
-// along its free coordinates only.
+// Contacts of nodes for which handles prescribe one or more coordinates. A contact moves such a
+// node only along its free coordinates, which are those that no handle prescribes.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -11,7 +11,7 @@
 
 namespace rigor {
 
-/// Which coordinates of a node handles prescribe.
+/// The world-space coordinates x, y and z of a node that handles prescribe.
 struct HeldAxes {
     std::array<bool, 3> axes = {false, false, false};
 
@@ -21,21 +21,22 @@ struct HeldAxes {
     {
         return {axes[0] ? 0 : v.x(), axes[1] ? 0 : v.y(), axes[2] ? 0 : v.z()};
     }
-    /// The projector on the free coordinates.
+    /// The matrix that sets the prescribed coordinates of a vector to 0.
     Matrix3d free_axes() const
     {
         return Vector3d(axes[0] ? 0 : 1, axes[1] ? 0 : 1, axes[2] ? 0 : 1).asDiagonal();
     }
 };
 
-/// The direction in which a contact can move a node.
+/// The direction in which a contact with the unit normal n can move a node.
 struct FreeNormal {
-    Vector3d m;    // the part of the normal n along the free coordinates, as a unit vector
+    Vector3d m;    // the part of n along the free coordinates, normalized to a unit vector
     double cosine; // n·m: a node that moves by s along m moves by s n·m away from the surface
 };
 
-/// No value if the node cannot move along the normal, or only by moving ten times as far along the
-/// surface. The contact then acts on the body alone.
+/// The direction m for a contact with the unit normal n. The result is empty if handles keep the
+/// node from moving along n, or if it could do so only by moving more than ten times as far in all.
+/// In both cases the contact acts on the rigid body alone.
 inline std::optional<FreeNormal> free_normal(const HeldAxes& held, const Vector3d& n)
 {
     if (!held.any()) return FreeNormal{n, 1};

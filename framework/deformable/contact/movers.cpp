@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Makes the movers: groups of bodies that lie on each other are found by union-find, each group
-// that nothing static carries becomes one rigid body, and a body that is carried gets a very large
-// mass in the directions in which rigid bodies hold against it. Then its acceleration and its
-// answer to an impulse follow from one matrix.
+// Makes the movers. Union-find groups the bodies that rest on each other. A group that rests only
+// on bodies with all six degrees of freedom becomes one rigid body. Each body of any other group is
+// a mover of its own. In the directions of the forces that support it, it gets a very large mass,
+// so that its acceleration and its response to an impulse follow from one mass matrix.
 #include "deformable/contact/movers.hpp"
 
 #include "deformable/solid/rigid_motion.hpp"
@@ -20,7 +20,8 @@ namespace rigor {
 
 namespace {
 
-// A body as a solid meets it. One that sleeps is taken as static.
+// A rigid body as deformable solids collide with it. A driven body has the velocity of its drive,
+// and a sleeping body counts as static.
 Body collider_in_world(const World& world, const RigidBody& rigid)
 {
     Body body = body_in_world(world.settings.integrator, rigid);
@@ -37,8 +38,9 @@ Body collider_in_world(const World& world, const RigidBody& rigid)
 }
 
 // The mean force and torque of gravity, springs, applied forces and drag on each body during the
-// step, as they change its velocity if it touches nothing. So stiff springs, of which the
-// integrator takes many substeps in a step, have no more effect than they would have.
+// step. They follow from the change of its momentum and angular momentum in a predicted flight
+// without contacts. This prediction includes the substeps that the integrator takes for stiff
+// springs.
 std::vector<Wrench> loads_of(World& world, double time_step)
 {
     std::vector<Wrench> loads(world.bodies.size());
@@ -64,18 +66,20 @@ bool moves_freely(const RigidBody& rigid, const Body& body)
     return !body.is_static() && !rigid.only_axis && rigid.inverse_moments.minCoeff() > 0;
 }
 
-// A rigid body that holds against a body: where, and in which direction.
+// A contact at which another rigid body supports a body, with the unit vector of the supporting
+// force.
 struct Support {
     Vector3d point, direction;
 };
 
-// Sets the mass and the accelerations. Where rigid bodies hold against the mover, its mass is very
-// large, and so it is about an axis about which it cannot turn.
-// @param turns  whether it can turn about every axis
+// Sets the mass matrix and the accelerations of a mover. Its mass is very large in the direction of
+// each support, and its moment of inertia is very large about an axis about which it cannot turn.
+// @param turns  whether the mover can turn about every axis
 void set_mass(Mover& mover, bool turns, const std::vector<Support>& supports, const Wrench& load)
 {
-    // Times the mass of the body. With more, the linear system would be solved less accurately;
-    // with this the body yields by a hundredth of a millimetre in a step.
+    // The mass in the direction of a support, divided by the mass of the body. A larger number
+    // would make the solution of the linear system less accurate. With this number, a body moves by
+    // about a hundredth of a millimeter against its support in a step.
     constexpr double very_large = 1e5;
     const Body& body = mover.body;
     const double m = 1 / body.inverse_mass;
@@ -101,7 +105,7 @@ void set_mass(Mover& mover, bool turns, const std::vector<Support>& supports, co
     mover.angular_acceleration = a.tail<3>();
 }
 
-// One rigid body with the mass, the momentum and the angular momentum of its members.
+// A mover with the total mass, momentum and angular momentum of the bodies `members`.
 Mover joined(const std::vector<Body>& bodies, const std::vector<int>& members,
              const std::vector<Wrench>& loads)
 {
@@ -138,8 +142,9 @@ Mover joined(const std::vector<Body>& bodies, const std::vector<int>& members,
     return mover;
 }
 
-// Whether two bodies move as one at a contact: their velocities and their rotations differ by less
-// than gravity changes a velocity in two steps.
+// Whether two bodies move as one at a contact point. Their relative velocity there has to be below
+// `speed` [m/s], and so does their relative angular velocity times the distance of the point from
+// the farther center.
 bool moves_with(const Body& body1, const Body& body2, const Vector3d& point, double speed)
 {
     const double radius =
@@ -148,15 +153,15 @@ bool moves_with(const Body& body1, const Body& body2, const Vector3d& point, dou
            radius * (body1.angular_velocity - body2.angular_velocity).norm() < speed;
 }
 
-// A contact of the step before, between bodies as they are now.
+// A contact between rigid bodies in the previous step, for one of its two bodies.
 struct Lying {
     int body, other;
-    Vector3d point, force; // on `body`
+    Vector3d point, force; // contact point now [m]; mean force on `body` then [N]
 };
 
 std::vector<Lying> lying_bodies(const World& world, const std::vector<Wrench>& loads)
 {
-    // A smaller force, as a share of the load of a body, carries nothing.
+    // A contact force below this share of the force of a body's loads does not count as a support.
     constexpr double noticeable = 0.01;
     std::vector<Lying> all;
     for (const WarmContact& c : world.memory.warm_contacts) {
@@ -205,7 +210,7 @@ Movers movers_of(World& world, double time_step)
     const std::vector<Wrench> loads = loads_of(world, time_step);
     std::vector<Body> bodies;
     std::vector<char> is_free;      // for each body, whether it has all degrees of freedom
-    std::vector<char> stands(n, 0); // for each group, whether something carries it
+    std::vector<char> stands(n, 0); // for each group, whether a body that is not free supports it
     for (const RigidBody& rigid : world.bodies) {
         bodies.push_back(collider_in_world(world, rigid));
         is_free.push_back(moves_freely(rigid, bodies.back()));

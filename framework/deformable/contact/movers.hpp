@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What moves when a deformable solid pushes a rigid body.
+// The rigid bodies, or groups of them, that move when a deformable solid pushes a rigid body.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -8,41 +8,44 @@
 
 namespace rigor {
 
-/// Bodies that lay on each other in the step before, and on nothing static, move as one rigid body,
-/// the mover: a solid that carries a stack feels the mass of all its bodies. For all others the
-/// mover is the body itself. If rigid bodies carry it, it does not yield where they hold against
-/// it.
+/// What moves when a solid pushes a rigid body. Bodies that rested on each other in the previous
+/// step, and on nothing static, form one mover, which moves as one rigid body: a solid that carries
+/// a stack feels the mass of the whole stack. Any other body is a mover of its own. If rigid bodies
+/// support a mover, it does not yield to a push against these supports.
 struct Mover {
-    /// Static: a static or driven body, or one that sleeps.
+    /// The body, or the group of bodies as one body. It is static if the body is static, driven or
+    /// asleep.
     Body body;
-    Body start; // before the solids moved
-    /// The momentum (P, L) is `free_mass` times (V, ω) [kg, kg m, kg m²]. `mass` is very large
-    /// where rigid bodies hold against the mover; its inverse is set only then.
+    Body start; // `body` before the solids moved
+    /// The momentum (P, L) is `free_mass` times (V, ω) [kg, kg m, kg m²]. `mass` is `free_mass`
+    /// plus a very large mass in the directions of the supports. `inverse_mass` is set only if
+    /// there are supports.
     Matrix6d free_mass = Matrix6d::Identity(), mass = Matrix6d::Identity(),
              inverse_mass = Matrix6d::Zero();
-    std::vector<Vector3d> supports; // the directions of the forces by which rigid bodies carry it
-    /// By gravity, springs, applied forces and drag, as far as what carries it lets it move
-    /// [m/s², rad/s²].
+    std::vector<Vector3d> supports; // directions of the forces by which rigid bodies support it
+    /// The accelerations by gravity, springs, applied forces and drag, as far as the supports let
+    /// the mover accelerate [m/s², rad/s²].
     Vector3d acceleration = Vector3d::Zero(), angular_acceleration = Vector3d::Zero();
 
-    /// Whether other rigid bodies hold against it.
+    /// Whether other rigid bodies support the mover.
     bool is_carried() const { return !supports.empty(); }
-    /// Whether no rigid body holds against a push in this direction.
+    /// Whether no support opposes a push in this direction.
     bool yields(const Vector3d& push) const;
-    /// The change of a point's velocity by an impulse there, if it pushes in this direction.
+    /// The matrix K [1/kg] by which an impulse j at a point of the mover changes the velocity of
+    /// this point, namely by K j. With supports, K depends on the direction `push` of j.
     Matrix3d impulse_matrix_at(const Vector3d& point, const Vector3d& push) const;
     void push(const Vector3d& point, const Vector3d& impulse);
 };
 
 struct Movers {
     std::vector<Mover> all;
-    std::vector<int> of; // for each body, the index of its mover
+    std::vector<int> of; // for each body, the index of its mover in `all`
 
     const Mover& by(int body) const { return all[of[body]]; }
 };
 
-/// The movers of a world at the start of a step of this length.
-/// @param world  only its counters change, and are set back
+/// The movers of a world at the start of a step of this length [s].
+/// @param world  is not changed: the function restores the counters that its prediction changes
 Movers movers_of(World& world, double time_step);
 
 } // namespace rigor

@@ -28,10 +28,11 @@ Body node_body(const Deformable& solid, int node, double inverse_mass)
     return body;
 }
 
-// The impulse on a node of which handles prescribe some coordinates, from a body that does not
-// move: the problem of a free node, in the free coordinates. The velocity along m is the one that
-// changes n·v as it must change; the friction is that of the whole normal impulse, and acts on the
-// free part of the sliding velocity.
+// The impulse of a static body on a node for which handles prescribe some coordinates. The function
+// calls `collision_impulse` for the free coordinates, with the direction m in place of the normal
+// n. The velocity along m is chosen so that it corresponds to the whole normal velocity n·v. The
+// coefficient of friction is scaled, so that the limit is that of the whole normal impulse and
+// friction acts only on the free part of the sliding velocity.
 Vector3d impulse_along_free_axes(const HeldAxes& held, const FreeNormal& free, double inverse_mass,
                                  const Vector3d& v, const NodeContact& c, double restitution)
 {
@@ -102,7 +103,8 @@ void push_by_held_nodes(const Deformable& solid, const std::vector<HeldAxes>& he
             const Vector3d x = solid.positions[c.node], n = -c.normal; // n: towards the body
             const Mover& mover = rigid.mover(c.body);
             const Body& body = mover.body;
-            // The mass of the body itself counts: a node without mass would move what carries it.
+            // K uses the mass of the body without its supports. With their very large mass, the
+            // impulse of a node that cannot move would push the supports away.
             const Matrix3d K =
                 impulse_matrix(body.inverse_mass, body.inverse_inertia, body.position, x);
             const Vector3d v = relative_velocity(body, node_body(solid, c.node, 0), x);

@@ -22,10 +22,11 @@ void collide_nodes(Deformable& solid, const std::vector<HeldAxes>& held,
                    const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                    bool with_restitution, Counters& counters);
 
-/// Keeps bodies out of the nodes that handles keep from moving along the normal, in an implicit
-/// step after the velocities of the nodes have been solved for: sequential impulses with Coulomb's
-/// law (Catto 2005, "Iterative dynamics with temporal coherence"). A body that is inside such a
-/// node is pushed out by a share of the depth in each step.
+/// Pushes rigid bodies away from nodes that handles keep from moving along the contact normal. An
+/// implicit step calls this function after the solve for the velocities of the nodes. The method is
+/// sequential impulses with Coulomb's law (Catto 2005, "Iterative dynamics with temporal
+/// coherence"). If a node is inside a body, the body is moved away by a share of the penetration in
+/// each step.
 void push_by_held_nodes(const Deformable& solid, const std::vector<HeldAxes>& held,
                         const NodeContacts& contacts, RigidColliders& rigid, double time_step,
                         Counters& counters);

@@ -26,8 +26,8 @@ Bounds bounds_of_nodes(const Deformable& solid)
 double reach_of(const Deformable& solid, const RigidColliders& rigid, int body, double radius,
                 double time_step)
 {
-    // This factor enlarges the result, because nodes may get faster within the step. Chosen by
-    // trial.
+    // This factor enlarges the result, because nodes may get faster within the step. Its value was
+    // chosen by trial.
     constexpr double for_acceleration = 1.5;
     // Above this radius [m] the rotation of the body is left out. A body with a plane does not
     // rotate, but its radius is infinite, and 0 times infinity is NaN.

@@ -13,7 +13,7 @@ struct NodeContact {
     int node = 0, body = 0;
     int part = 0;                        // index of that part in `NodeContacts::parts_`
     double gap = 0;                      // distance to the part, negative inside [m]
-    Vector3d normal = Vector3d::UnitY(); // outward normal of the body
+    Vector3d normal = Vector3d::UnitY(); // outward unit normal of the body, world space
     double restitution = 0, friction = 0;
 };
 

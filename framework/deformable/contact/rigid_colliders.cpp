@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Keeps the movers and surfaces of the rigid bodies during a step of the deformable solids.
 // Impulses act on the movers, substeps move the surfaces, and at the end the impulses become forces
-// of the step of the rigid bodies. As forces they act at the same time as gravity and as the
-// contacts of the rigid bodies, so that what rests on a solid, alone or with others on top, does
-// not move.
+// of the step of the rigid bodies. As forces they act together with gravity and with the contacts
+// between rigid bodies, so that a body or a stack that rests on a solid does not move.
 #include "deformable/contact/rigid_colliders.hpp"
 
 #include "rigid/bodies/orientation.hpp"
@@ -80,12 +79,12 @@ void RigidColliders::push(int body, const Vector3d& point, const Vector3d& impul
     movers_.all[number].push(point, impulse);
 }
 
-// The nodes of an implicit solid move with their velocities at the end of the step. A body that
-// only nodes carry has to move in the same way, so that it stays on them: by h (V + ΔV), with the
-// change ΔV of its mover's velocity in the step. The nodes of an explicit solid have moved beside
-// the body in substeps, so the body has to come where these have brought it. By the forces of the
-// step alone, it would move by h V + p h ΔV, where p is ½ if the integrator follows a parabola, and
-// 1 for symplectic Euler. The result is the difference.
+// The displacement [m] that a body lacks to stay on the nodes that support it, after the step of
+// the rigid bodies. This step alone moves the body by h V + p h ΔV, where ΔV is the change of
+// velocity in the step, and p is ½ if the integrator follows a parabola and 1 for symplectic Euler.
+// The nodes of an implicit solid move with their velocities at the end of the step, so the body has
+// to move by h (V + ΔV). The nodes of an explicit solid have moved in substeps together with the
+// body's surface, so the body has to move to the place that this surface has reached.
 Vector3d RigidColliders::lack_of_motion(int body) const
 {
     const double p = fall_in_step(world.settings.integrator_under_forces()), h = time_step_;
@@ -111,7 +110,7 @@ void RigidColliders::apply_to(World& to) const
         if (to.bodies[i].rest.is_asleep()) wake(to, {i});
         AppliedForce nodes;
         nodes.body = i;
-        nodes.start = -nodes.end; // always
+        nodes.start = -nodes.end; // the end is infinite, so the force acts at all times
         nodes.force = pushed_[i].impulse / time_step_;
         nodes.torque = pushed_[i].moment / time_step_;
         to.forces.push_back(nodes);

@@ -16,36 +16,40 @@ namespace rigor {
 /// measured, move with each substep.
 class RigidColliders {
 public:
-    /// @param world  only its counters change, and are set back
+    /// @param world  is not changed: the counters of the prediction are restored
     RigidColliders(World& world, double time_step);
 
-    /// What moves when a solid pushes this body.
+    /// The mover of a body: what moves when a solid pushes this body.
     const Mover& mover(int body) const { return movers_.by(body); }
-    /// The index of this mover.
+    /// The index of the mover of a body.
     int mover_number(int body) const { return movers_.of[body]; }
     /// The velocity of the center of a body, as its mover moves [m/s].
     Vector3d velocity_of(int body) const;
 
     /// Moves the surfaces with the velocities of the movers for a substep of this length [s].
     void advance(double time_step);
-    /// Between these two calls a solid moves in substeps, which together take the time step.
+    /// A solid that moves in substeps calls these two functions before the first and after the last
+    /// substep. The substeps together take the time step. `end_substeps` takes back the velocities
+    /// that `fall` has added in the substeps.
     void begin_substeps();
     void end_substeps();
-    /// Gives the movers the velocities that they get by falling for this time [s].
+    /// Adds to the velocities of the movers the change that their accelerations cause in this time
+    /// [s]. A negative time takes such a change back.
     void fall(double time);
-    /// An impulse at a point of a body acts on its mover.
+    /// Applies an impulse [N s] at a point of a body (world space) to the mover of the body.
     void push(int body, const Vector3d& point, const Vector3d& impulse);
 
     /// Prepares the step of the rigid bodies: the impulses of the nodes become forces of this step,
-    /// and bodies that were pushed wake. A body that only nodes carry has to move as they do. The
+    /// and bodies that were pushed wake. A body that only nodes support has to move as they do. The
     /// part of this motion that the integrator of the rigid bodies leaves out is added to the
     /// position of the body.
     void apply_to(World& to) const;
-    /// Takes these forces back, after the step of the rigid bodies.
+    /// Removes the forces that `apply_to` has added. It is called after the step of the rigid
+    /// bodies.
     void end_forces(World& to) const { to.forces.resize(first_force_); }
 
     const World& world;
-    std::vector<Pose> surfaces; // one for each body
+    std::vector<Pose> surfaces; // for each body, the pose of its surface in the current substep
 
 private:
     struct Pushed {
@@ -63,7 +67,7 @@ private:
     // For each mover, whether the last solid that pushed it moved in substeps. If so, `reached`
     // says for each of its bodies where these have brought the center.
     std::vector<char> has_reached_;
-    std::size_t first_force_; // how many forces the scene has
+    std::size_t first_force_; // the number of forces in the world without those of nodes
 };
 
 } // namespace rigor

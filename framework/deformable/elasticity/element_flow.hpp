@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The linearised plastic flow of an element, for the linear system of an implicit step.
+// The linearized plastic flow of an element, for the linear system of an implicit step.
 #pragma once
 
 #include "formulas/types.hpp"
 
 namespace rigor {
 
-/// The plastic flow of one element, linearised about a guess of its strain at the end of the step.
+/// The plastic flow of one element, linearized about a guess of its strain at the end of the step.
 /// A strain d within the step gives the element the trial stress σ₀ + C d, where σ₀ is its stress
 /// at the start of the step and C the elastic stiffness. The flow reduces this stress by
 ///
@@ -25,7 +25,7 @@ struct ElementFlow {
     Matrix3d along = Matrix3d::Zero();  // n in the formula above, Tr n = 0
     Matrix3d kept = Matrix3d::Zero();   // k in the formula above, Tr k = 0
     Matrix3d stress = Matrix3d::Zero(); // P, which makes the formula exact at the guess [Pa]
-    Matrix3d strain = Matrix3d::Zero(); // d at the guess, about which the flow is linearised
+    Matrix3d strain = Matrix3d::Zero(); // d at the guess, about which the flow is linearized
     bool is_limited() const { return !kept.isZero(0); }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prepares the elements of a solid and finds the neighbours with which each shares a face. The
-// stress of an element is smoothed only with neighbours from which no crack separates it.
+// Prepares the elements of a solid and finds the neighbors with which each shares a face. The
+// stress of an element is smoothed only with neighbors from which no crack separates it.
 #include "deformable/elasticity/element_workspace.hpp"
 
 #include "geometry/tetrahedra/tetrahedra.hpp"

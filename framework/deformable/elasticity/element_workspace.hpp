@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The elements of a solid with their strains and neighbours.
+// The elements of a solid with their strains and neighbors.
 #pragma once
 
 #include "deformable/elasticity/elements.hpp"
@@ -14,7 +14,7 @@ struct ElementWorkspace {
     Elements elements;
     std::vector<ElementStrain> strains; // at the positions for which they were last computed
     std::vector<std::array<int, 4>> face_neighbours;
-    // For each element, its neighbours across faces without a crack. For fracture, its stress is
+    // For each element, its neighbors across faces without a crack. For fracture, its stress is
     // averaged with their stresses.
     std::vector<std::vector<int>> stress_neighbours;
 };

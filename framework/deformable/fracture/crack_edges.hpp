@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The points where cracks cut edges of the uncracked mesh, for virtual nodes. A new crack continues
-// from these points, so that the crack planes of neighbouring elements meet. The formula
+// from these points, so that the crack planes of neighboring elements meet. The formula
 // `virtual_nodes` alone decides what a crack does to the mesh.
 #pragma once
 
@@ -15,7 +15,7 @@ class CrackEdges {
 public:
     explicit CrackEdges(const Deformable& solid);
 
-    /// A crack of an element that continues the cracks of its neighbours: its plane passes through
+    /// A crack of an element that continues the cracks of its neighbors: its plane passes through
     /// points where these cracks cut edges of the element. A plane is possible if
     ///
     ///   * it passes through three of these points, or through two with its normal as near as
@@ -33,7 +33,7 @@ public:
     ElementCrack continued(int parent, const std::array<int, 4>& real,
                            const Vector3d& normal) const;
 
-    /// Whether the crack of a neighbour cuts an edge of the element between two corners with
+    /// Whether the crack of a neighbor cuts an edge of the element between two corners with
     /// material.
     bool meets(int parent, const std::array<int, 4>& real) const;
 

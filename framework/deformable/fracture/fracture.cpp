@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Opens cracks normal to the largest principal tension where it exceeds the strength (Rankine's
-// criterion). If a bound shows that no stress exceeds the strength, nothing is done (optimisation
+// criterion). If a bound shows that no stress exceeds the strength, nothing is done (optimization
 // `stress_bound`). Otherwise the stresses are smoothed, and the elements whose smoothed stress
 // exceeds the strength are sorted. The most stressed of them crack, within the limits of
 // fracture.hpp. Last, the mesh is changed by one of three methods: along faces, by splitting
@@ -124,7 +124,7 @@ int crack_faces(Deformable& solid, const ElementWorkspace& work,
         taken.add(t);
         const auto& back = work.face_neighbours[other];
         const auto g = std::find(back.begin(), back.end(), c.element) - back.begin();
-        // The neighbour does not list this element: an earlier split by a wrong formula has made a
+        // The neighbor does not list this element: an earlier split by a wrong formula has made a
         // face that three elements share.
         if (g == 4) continue;
         solid.crack_faces[c.element][f] = solid.crack_faces[other][g] = true;
@@ -223,7 +223,7 @@ int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
 int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& found)
 {
     // The largest number of cracks in an element of the uncracked mesh. Each crack may double the
-    // number of copies of this element. Chosen by trial.
+    // number of copies of this element. The value was chosen by trial.
     constexpr int most_in_element = 3;
     if (solid.uncracked.tetrahedra.empty()) solid.uncracked = solid.rest;
     std::vector<int> count(solid.uncracked.tetrahedra.size(), 0);

@@ -20,7 +20,7 @@ bool relax_element(Deformable& solid, int element);
 /// all their faces. Those that then share no node with another element are relaxed by
 /// `relax_element`.
 ///
-/// The elastic force on an inverted element is bounded, so neighbours at the limit of their plastic
+/// The elastic force on an inverted element is bounded, so neighbors at the limit of their plastic
 /// strain can hold it inverted forever. The time does not count for elements with a node that a
 /// handle holds.
 /// @return  whether an element was inverted for too long; strains computed before are then out of

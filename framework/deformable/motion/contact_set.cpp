@@ -75,7 +75,8 @@ TiedNode ContactSet::tie(int k) const
     const HeldAxes& held = step_->held[c.node];
     const FreeNormal free = free_normal(held, c.normal).value();
     if (held.any() && number < 0) {
-        // n·v as it must be, with what the handles prescribe of v, by the free coordinates alone.
+        // Handles prescribe some coordinates of v. The free coordinates are chosen so that n·v
+        // still equals the normal velocity of the surface.
         const Vector3d v = step_->solid.velocities[c.node], prescribed = v - held.free_part(v),
                        n = c.normal;
         surface += (n.dot(surface - prescribed) / free.cosine - free.m.dot(surface)) * free.m;
@@ -84,8 +85,9 @@ TiedNode ContactSet::tie(int k) const
     return {c.node, N, surface, number, arm(c), slides ? dampings_[k] : 0};
 }
 
-// The impulse j of the contact is along n up to friction, which acts along the free coordinates.
-// Handles give the node the rest of the residual, so that only its free part tells j.
+// The impulse j of a contact is the sum of a normal impulse along n and friction along the free
+// coordinates. In the prescribed coordinates, the residual also contains the impulse of the
+// handles, so j is computed from the free part of the residual.
 void ContactSet::set_impulse(int k, const Vector3d& residual)
 {
     const NodeContact& c = step_->contacts[k];

@@ -19,7 +19,7 @@ struct ContactStep {
     const std::vector<HeldAxes>& held; // for each node
     Vector3d gravity;                  // [m/s²]
     double time_step = 0;              // h [s]
-    double radius = 0;                 // half the diagonal of the box around the solid [m]
+    double radius = 0;                 // half the diagonal of the bounding box of the solid [m]
 };
 
 /// A contact is open (it does not act on its node), or it holds its node, which sticks or slides.
@@ -44,7 +44,7 @@ public:
     TiedNode tie(int k) const;
 
     /// Notes the impulse of contact k after a solve in which it tied its node.
-    /// @param residual  the impulse of the node's ties, which are the contact and handles [N s]
+    /// @param residual  the impulse of all ties of the node (contact and handles) [N s]
     void set_impulse(int k, const Vector3d& residual);
     /// The impulse that contact k gave its node in the latest solve in which it tied the node
     /// [N s]; zero if there was no such solve in this step.

@@ -5,8 +5,9 @@
 // bodies. Last, the elements flow plastically, unless the solid flows only once after each step.
 //
 // Nodes bounce between the halves, since there the velocity v belongs to the same time as the
-// position x. For a spring of frequency ω, symplectic Euler keeps v²/2 + (1 - h²ω²/4) ω²x²/2 of
-// this v (Hairer, Lubich and Wanner 2003), which a bounce does not increase, however long h is.
+// position x. With this v, symplectic Euler conserves v²/2 + (1 - h²ω²/4) ω²x²/2 for a spring of
+// frequency ω (Hairer, Lubich and Wanner 2003). A bounce does not increase this quantity, whatever
+// the substep h is.
 #include "deformable/motion/explicit_motion.hpp"
 
 #include "deformable/contact/node_collisions.hpp"

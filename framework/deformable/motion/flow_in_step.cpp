@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Finds the plastic flow within a step of backward Euler by Newton's method with the consistent
-// tangent (Simo and Taylor 1985). The step minimises a convex function of the velocities, so that a
+// tangent (Simo and Taylor 1985). The step minimizes a convex function of the velocities, so that a
 // line search makes the method converge from any start (Ortiz and Stainier 1999, "The variational
 // formulation of viscoplastic constitutive updates"). Each round asks the formulas how each element
 // flows at the velocities of the latest solve, and compares that with what the solve had assumed.
-// If the two differ for an element, the flow is linearised about these velocities. If the
+// If the two differ for an element, the flow is linearized about these velocities. If the
 // velocities have gone too far beyond the minimum, they are first replaced by a point between them
-// and the velocities of the previous linearisation.
+// and the velocities of the previous linearization.
 #include "deformable/motion/flow_in_step.hpp"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ namespace {
 constexpr double flow_tolerance = 1e-9;
 // The rounding error of a stress, divided by 2 G ‖e‖ with the trial elastic strain e.
 constexpr double rounding = 1e-13;
-// On the way from the velocities of the previous linearisation to those of the latest solve, the
-// function that the step minimises first falls. If its slope at the end of this way, divided by the
+// On the way from the velocities of the previous linearization to those of the latest solve, the
+// function that the step minimizes first falls. If its slope at the end of this way, divided by the
 // size of its slope at the start, is above this number, the latest velocities lie too far beyond
 // the minimum.
 constexpr double largest_turn = 0.5;
@@ -38,7 +38,7 @@ double product(const Matrix3d& a, const Matrix3d& b)
     return a.cwiseProduct(b).sum();
 }
 
-// The part that a linearised flow takes away from the stress of a strain d (element_flow.hpp):
+// The part that a linearized flow takes away from the stress of a strain d (element_flow.hpp):
 // 2 G (a (dev d - (k : d) k) + (n : d) n).
 Matrix3d softening(const ElementFlow& f, double G, const Matrix3d& d)
 {
@@ -47,7 +47,7 @@ Matrix3d softening(const ElementFlow& f, double G, const Matrix3d& d)
     return 2 * G * (f.softened * across + product(f.along, d) * f.along);
 }
 
-// Sets a, n and k of a linearised flow (element_flow.hpp). They follow from what the formula has
+// Sets a, n and k of a linearized flow (element_flow.hpp). They follow from what the formula has
 // returned: the direction of the flow, and the share θ of the trial deviator that the flow leaves.
 void set_tangent(ElementFlow& f, const FlowRule::Flowed& flowed, const Matrix3d& plastic,
                  const Matrix3d& trial)
@@ -96,7 +96,7 @@ Matrix3d FlowInStep::strain_in_step(int e, const std::vector<Vector3d>& velociti
     return 0.5 * time_step_ * (A + A.transpose());
 }
 
-// Makes `next_`, the flow linearised about these velocities. Adds to `changed_` the elements for
+// Makes `next_`, the flow linearized about these velocities. Adds to `changed_` the elements for
 // which the flow differs from that of the latest solve, `flows_`.
 void FlowInStep::linearise(const std::vector<Vector3d>& velocities)
 {
@@ -138,7 +138,7 @@ void FlowInStep::note_error(int e, const Matrix3d& error, const Matrix3d& trial,
 
 // Goes back towards the guess if the velocities of the latest solve lie too far beyond the minimum.
 // Let p be the way from the guess to these velocities, and A the matrix of the latest solve. Along
-// p, the function that the step minimises has the slope -pᵀ A p at the guess (`slope` is pᵀ A p)
+// p, the function that the step minimizes has the slope -pᵀ A p at the guess (`slope` is pᵀ A p)
 // and the slope `excess_` at these velocities.
 // @return whether it went back
 bool FlowInStep::backtrack(VelocitySystem& s)

@@ -12,7 +12,7 @@ namespace rigor {
 
 /// Newton's method for the plastic flow within one implicit step. The stress at the end of a step
 /// is the stress after the flow, so it depends on the velocities that the step solves for. Each
-/// round linearises the flow of each element about the velocities of the latest solve. The plastic
+/// round linearizes the flow of each element about the velocities of the latest solve. The plastic
 /// strains of the solid do not change here; the function `flow` changes them once the nodes have
 /// moved.
 class FlowInStep {
@@ -24,7 +24,7 @@ public:
                double time_step);
 
     /// Compares the flow of each element with the flow that the latest solve has assumed. If they
-    /// differ for any element, linearises the flow again and puts it into the system. If the
+    /// differ for any element, linearizes the flow again and puts it into the system. If the
     /// velocities of the solve overshoot (see `backtrack`), it first moves them back.
     ///
     /// @return whether any element differs, so that the system has to be solved again
@@ -46,13 +46,13 @@ private:
     const ElementWorkspace* work_ = nullptr;
     std::optional<FlowRule> rule_;
     double time_step_ = 0, lambda_ = 0, G_ = 0; // h [s], λ, G [Pa]
-    bool is_first_ = true;                      // no flow has been linearised in this step yet
+    bool is_first_ = true;                      // no flow has been linearized in this step yet
     std::vector<Vector3d> elastic_momenta_;     // right-hand side of the system without flow [N s]
-    std::vector<Vector3d> guess_; // the velocities that the flow was linearised about [m/s]
-    // The linearised flow in the latest solve, and in the next one; sorted by element.
+    std::vector<Vector3d> guess_; // the velocities that the flow was linearized about [m/s]
+    // The linearized flow in the latest solve, and in the next one; sorted by element.
     std::vector<ElementFlow> flows_, next_;
     std::vector<int> changed_;
-    // Slope of the function that the step minimises, at the latest velocities along `way_` (see
+    // Slope of the function that the step minimizes, at the latest velocities along `way_` (see
     // `backtrack`) [J].
     double excess_ = 0;
     std::vector<Vector3d> way_; // from `guess_` to the latest velocities [m/s]

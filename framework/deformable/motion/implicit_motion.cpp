@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves the nodes of a solid by one step of backward Euler, linearised at the start of the step
+// Moves the nodes of a solid by one step of backward Euler, linearized at the start of the step
 // with constant rotations of the elements (Baraff and Witkin 1998, "Large steps in cloth
 // simulation"; Müller and Gross 2004). First restitution acts on the velocities. Then the linear
 // system is solved, in a limited number of rounds, until neither the contacts nor the plastic flow
@@ -18,7 +18,7 @@ namespace {
 // The largest number of solves of the linear system for the same plastic flow. Contacts that still
 // change after these rounds stay as they are; the next step begins with a new guess.
 constexpr int most_rounds = 10;
-// The largest number of times in a step that the plastic flow is linearised. After each of them,
+// The largest number of times in a step that the plastic flow is linearized. After each of them,
 // the system is solved in up to `most_rounds` further rounds.
 constexpr int most_flow_rounds = 20;
 

@@ -9,7 +9,7 @@ namespace rigor {
 
 namespace {
 
-// Whether a contact of the solid pushes the mover of a body towards what carries it.
+// Whether a contact of the solid pushes the mover of a body against one of its supports.
 bool is_pushed_against_supports(const RigidColliders& rigid,
                                 const std::vector<NodeContact>& contacts, int body)
 {

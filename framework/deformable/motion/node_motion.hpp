@@ -15,7 +15,7 @@ struct NodeMotion {
     Vector3d gravity;     // [m/s²]
     double start = 0;     // time at the start of the step [s]
     double time_step = 0; // [s]
-    double radius = 0;    // half the diagonal of the box around the solid [m]
+    double radius = 0;    // half the diagonal of the bounding box of the solid [m]
     Counters& counters;
 };
 

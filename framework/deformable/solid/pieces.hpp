@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// For each element, the index of the piece that it belongs to, from 0. Elements that
-/// share a vertex are in the same piece.
+/// For each element, the index of the piece that contains it, counted from 0. Elements that share a
+/// vertex are in the same piece.
 std::vector<int> pieces(const Deformable& solid);
 
 } // namespace rigor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The motion of a rigid body as one vector of six numbers, (V, ω), and what belongs to it.
+// The motion (V, ω) of a rigid body as one vector of six numbers, and the Jacobian of its points.
 #pragma once
 
 #include "formulas/types.hpp"

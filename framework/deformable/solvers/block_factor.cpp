@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Computes the factorisation A = L D Lᵀ row by row (Davis 2006, "Direct methods for sparse linear
+// Computes the factorization A = L D Lᵀ row by row (Davis 2006, "Direct methods for sparse linear
 // systems", 4.7). The analysis orders the nodes by approximate minimum degree, grows the
-// elimination tree and finds the index at which each block is stored. Factorising and solving then
+// elimination tree and finds the index at which each block is stored. Factorizing and solving then
 // only use these indices.
 #include "deformable/solvers/block_factor.hpp"
 

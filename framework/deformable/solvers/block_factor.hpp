@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A factorisation of a sparse, symmetric, positive definite matrix of 3 × 3 blocks:
+// A factorization of a sparse, symmetric, positive definite matrix of 3 × 3 blocks:
 //
 //     A = L D Lᵀ,   L with ones on its diagonal, D with 3 × 3 blocks on its diagonal
 //
 // L is computed row by row (Davis 2006, "Direct methods for sparse linear systems", 4.7), with the
 // nodes in an order that keeps L sparse.
 //
-// Eigen has such a factorisation. We have our own for two reasons. Ours can factorise some parts of
-// A anew, those whose contacts or plastic flow changed, and keep the others. (A part is a piece of
-// the solid that A does not connect with other pieces.) And ours allocates no memory in a step.
+// Eigen has such a factorization, but this one has two advantages. First, it can factorize only
+// those parts of A again whose contacts or plastic flow have changed. (A part is a piece of the
+// solid that A does not connect with other pieces.) Second, it allocates no memory during a step.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -23,8 +23,8 @@ public:
     /// A.
     /// @param row_starts, columns  the pattern of A's blocks on and above the diagonal, in each row
     ///                             with ascending columns
-    /// @param most_work  the largest number of products of two blocks that a factorisation may take
-    /// @return whether a factorisation takes at most `most_work` products; if not, the analysis was
+    /// @param most_work  the largest number of products of two blocks that a factorization may take
+    /// @return whether a factorization takes at most `most_work` products; if not, the analysis was
     ///         broken off, and `factorise` cannot be called
     bool analyse(const std::vector<int>& row_starts, const std::vector<int>& columns,
                  double most_work);

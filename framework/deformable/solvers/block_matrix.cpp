@@ -56,7 +56,7 @@ void BlockMatrix::find_parts()
 {
     part_of_.assign(nodes_, -1);
     parts_ = 0;
-    // Collect the neighbours with lower and with higher indices, because a row of the matrix stores
+    // Collect the neighbors with lower and with higher indices, because a row of the matrix stores
     // only the blocks of those with higher ones.
     std::vector<std::vector<int>> neighbours(nodes_);
     for_each_block([&](int i, int j, const Matrix3d&) {

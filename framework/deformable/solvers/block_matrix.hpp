@@ -21,7 +21,7 @@ public:
                   const std::vector<double>& masses, const SolidMaterial& material,
                   double time_step);
 
-    /// Reduces the stiffness of an element by its linearised plastic flow (a, k and n, see
+    /// Reduces the stiffness of an element by its linearized plastic flow (a, k and n, see
     /// element_flow.hpp):
     /// A_ij -= c V (a (½ gⱼ gᵢᵀ + ½ gᵢ·gⱼ δ - ⅓ gᵢ gⱼᵀ - (k gᵢ) (k gⱼ)ᵀ) + (n gᵢ) (n gⱼ)ᵀ), with
     /// the volume V of the element, g = R ∇N, and k and n in world space.

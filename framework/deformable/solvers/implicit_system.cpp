@@ -2,7 +2,7 @@
 // Solves the system of backward Euler by preconditioned conjugate gradients (Hestenes and Stiefel
 // 1952). Coordinates that a handle or a contact prescribes ("ties", see ties.hpp) are projected out
 // in each iteration, as in Baraff and Witkin 1998, "Large steps in cloth simulation". First comes
-// the preconditioner, a factorisation of A with the ties or the inverse diagonal blocks, then a
+// the preconditioner, a factorization of A with the ties or the inverse diagonal blocks, then a
 // start that satisfies the ties, then the iterations.
 #include "deformable/solvers/implicit_system.hpp"
 
@@ -30,7 +30,7 @@ void ImplicitSystem::analyse(const Elements& elements, int nodes)
     matrix_.analyse(elements, nodes);
     nodes_ = nodes;
     inverse_diagonal_.resize(nodes);
-    // The largest number of products of two blocks that a factorisation may take, divided by the
+    // The largest number of products of two blocks that a factorization may take, divided by the
     // number of stored blocks of A. A product of two blocks costs as much as three products of a
     // block and a vector. An iteration of conjugate gradients takes two products of a block and a
     // vector for each stored block. So the limit is the cost of 40 · 3 / 2 = 60 iterations; above
@@ -108,7 +108,7 @@ void ImplicitSystem::add_damping(const Vectors& x, Vectors& y) const
     }
 }
 
-// Factorises A with the ties, P (A + d) P + s N, for the active nodes. N projects on the tied
+// Factorizes A with the ties, P (A + d) P + s N, for the active nodes. N projects on the tied
 // directions of a node, and P = δ - N on the others, with the unit matrix δ. d is the damping of
 // the node's tie, and s the trace of the node's diagonal block of A.
 void ImplicitSystem::factorise()
@@ -225,8 +225,8 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
     return iterations;
 }
 
-// Iterates from x_ and r_ = b until r·z is at most `enough`, or until a largest number of
-// iterations. @return the number of iterations
+// Iterates from x_ and r_ = b until r·z is at most `enough`, or until the largest number of
+// iterations `most` is reached. @return the number of iterations
 int ImplicitSystem::iterate(double enough)
 {
     const auto for_each = [&](const auto& visit) {
@@ -242,9 +242,9 @@ int ImplicitSystem::iterate(double enough)
     precondition(r_, z_);
     for_each([&](int i) { p_[i] = z_[i]; });
     double rz = dot(r_, z_), least = rz;
-    // Where rounding errors keep r·z above `enough`, as in a solid that hardly moves, it does not
-    // stay where it is but grows without end. This growth ends the iterations, and the best x_ so
-    // far is the result.
+    // The iterations end when r·z has grown by this factor since its least value, and the result is
+    // then the best x_ so far. Such growth happens where rounding errors keep r·z above `enough`,
+    // as in a solid that hardly moves.
     constexpr double most_growth = 1e8;
     best_ = x_;
     const int most = 10 * static_cast<int>(active_->size() + 2 * bodies_->size()) + 100;

@@ -19,7 +19,7 @@ namespace rigor {
 /// The system of one solid: its matrix, and the solution by conjugate gradients.
 class ImplicitSystem {
 public:
-    /// Finds which blocks the matrix has, and whether a factorisation is cheap. This is needed once
+    /// Finds which blocks the matrix has, and whether a factorization is cheap. This is needed once
     /// for each mesh.
     void analyse(const Elements& elements, int nodes);
     bool is_analysed() const { return matrix_.nodes() > 0; }
@@ -41,10 +41,10 @@ public:
 
     /// Solves for the velocities of some parts (connected pieces of the solid) by conjugate
     /// gradients, which start from the velocities passed in. They end when the residual is 1e-7 of
-    /// the right-hand side, in the norm of the preconditioner, or at a largest number of iterations
-    /// (`iterate`). If a factorisation of A with its ties is cheap, it is the preconditioner; then
-    /// one iteration is enough, unless rounding errors or rigid bodies require more. Otherwise the
-    /// preconditioner consists of the diagonal blocks of A.
+    /// the right-hand side, in the norm of the preconditioner, or after a fixed largest number of
+    /// iterations (`iterate`). If a factorization of A with its ties is cheap, it is the
+    /// preconditioner; then one iteration is enough, unless rounding errors or rigid bodies require
+    /// more. Otherwise the preconditioner consists of the diagonal blocks of A.
     /// @param nodes  all nodes of these parts, ascending; every part tied to one of `bodies` must
     ///               be among them, because the body would otherwise lack the part's impulses
     /// @param tied   the ties of these nodes
@@ -54,7 +54,7 @@ public:
               std::vector<Vector3d>& velocities);
 
     /// A v - b for each of these nodes, after `solve`. The nodes must form whole parts (connected
-    /// pieces of the solid), because the sum for a node takes all its neighbours. For a tied node
+    /// pieces of the solid), because the sum for a node takes all its neighbors. For a tied node
     /// the result is the impulse that its ties, with their damping, gave it [N s].
     const std::vector<Vector3d>& residual(const std::vector<Vector3d>& b,
                                           const std::vector<int>& nodes,
@@ -74,7 +74,7 @@ private:
 
     BlockMatrix matrix_; // A
     int nodes_ = 0;
-    BlockFactor factor_; // the factorisation of A with the ties
+    BlockFactor factor_; // the factorization of A with the ties
     bool is_factor_cheap_ = false;
     std::vector<Matrix3d> tied_blocks_;
     std::vector<Matrix3d> free_; // for each node, the projector on the untied directions

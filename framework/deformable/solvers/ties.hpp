@@ -24,7 +24,8 @@ struct TiedNode {
 /// A rigid body that is part of the system.
 struct SystemBody {
     /// The generalized mass: the momentum (P, L) of the body is this matrix times (V, ω) [kg, kg m,
-    /// kg m²]. What carries the body adds to it in the directions in which it does not yield.
+    /// kg m²]. If the solid pushes the body against its supports, the mass is very large in the
+    /// directions of these supports (contact/movers.hpp).
     Matrix6d mass = Matrix6d::Zero();
     // Velocity and angular velocity [m/s, rad/s]. A solve adds the effect of the body's contacts.
     Vector3d V = Vector3d::Zero(), w = Vector3d::Zero();

@@ -18,10 +18,10 @@ namespace {
 
 using Weights = Eigen::Vector4d;
 
-// Tolerances for barycentric weights. These are between 0 and 1, so the tolerances are relative to
-// the size of the element. Points that differ by less than `same_point` are the same, an edge
-// shorter than `least_edge` has no direction, and a piece whose area is less than `least_area`
-// times that of its face is a rounding error.
+// Tolerances for barycentric weights. The weights are between 0 and 1, so the tolerances are
+// relative to the size of the element. Points that differ by less than `same_point` are the same,
+// an edge shorter than `least_edge` has no direction, and a piece whose area is less than
+// `least_area` times that of its face is a rounding error.
 constexpr double same_point = 1e-12, least_edge = 1e-9, least_area = 1e-12;
 
 // The part of a polygon where `height` · weights ≥ 0; `height` contains the heights of the four
@@ -51,7 +51,7 @@ Vector3d place(const std::array<Vector3d, 4>& corners, const Weights& w)
 }
 
 // The polygon that closes a cut: the points of `rim`, sorted by their angle about their middle,
-// counter-clockwise seen from `outwards`.
+// counter-clockwise seen from the side to which `outwards` points.
 std::vector<Weights> cap(std::vector<Weights> rim, const std::array<Vector3d, 4>& corners,
                          const Vector3d& outwards)
 {

@@ -2,7 +2,7 @@
 // Extracts the triangles that are drawn for a solid. Without virtual nodes they are the boundary of
 // its mesh. With virtual nodes (Molino, Bao and Fedkiw 2004), a cracked element has one copy for
 // each piece of its material, and the triangles bound the material of each copy: first its cracks,
-// then the parts of its faces that no connected neighbour covers.
+// then the parts of its faces that no connected neighbor covers.
 #include "deformable/surface/surface.hpp"
 
 #include "deformable/surface/clipped_element.hpp"
@@ -120,7 +120,7 @@ public:
     }
 
     // Adds what is visible of the element: its cracks, its faces on the boundary of the solid, and
-    // the parts of its other faces that no connected neighbour covers.
+    // the parts of its other faces that no connected neighbor covers.
     void show(int element, Builder& builder) const
     {
         const int parent = solid_.embedded.parents[element];
