@@ -13,10 +13,10 @@ namespace rigor {
 
 /// A program to run.
 struct Command {
-    std::vector<std::string> arguments;   // first the program, which is looked up in PATH
-    std::filesystem::path folder;         // working directory; empty: the current one
-    double silence = 0;                   // longest time without output or message [s]; 0: no limit
-    std::uint64_t memory = 0;             // address space [bytes]; 0: no limit
+    std::vector<std::string> arguments; // first the program, which is looked up in PATH
+    std::filesystem::path folder;       // working directory; empty for the current one
+    double silence = 0;       // longest time without output or message [s]; 0 for no limit
+    std::uint64_t memory = 0; // limit on the address space [bytes]; 0 for no limit
     std::vector<std::string> environment; // "NAME=value", besides the inherited ones
     bool shares_stderr = false;           // whether its stderr is that of this process
 };

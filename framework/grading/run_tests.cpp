@@ -90,9 +90,8 @@ constexpr std::size_t memory_of_tests = std::size_t{6} << 30; // [bytes]
 // Whose code runs when a task calls the formulas of other tasks: the submission or the reference.
 enum class Others { submission, reference };
 
-// The longest time that the test program may be on a processor between two calls of formulas [s].
-// After the first test case that exceeds this limit the limit is shorter, since other test cases
-// may exceed it too.
+// The limit on the processor time of the test program between two calls of formulas [s]. It is
+// shorter after the first test case that exceeded it, since other test cases may exceed it too.
 double longest_stall(const Verdicts& before)
 {
     return before.stalled().empty() ? 8 : 2;

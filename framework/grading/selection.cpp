@@ -49,7 +49,7 @@ bool is_number(std::string_view text)
 }
 
 // A hint for a word that looks like a tag, such as a6.11 or a9: the range of the assignment's tags,
-// or the command that lists all tags. Empty for any other word.
+// or the command that lists all tags. The result is empty for any other word.
 std::string tags_there_are(const std::string& word, const std::vector<Assignment>& assignments)
 {
     const std::size_t point = word.find('.');

@@ -27,7 +27,7 @@ public:
     /// Whether the last line was the one that the test program prints after all test cases.
     bool is_complete() const { return is_complete_; }
     /// The first error: a line that could not be parsed, a test case that checked nothing, or one
-    /// that stalled twice (see `stalled`). Empty if there is none.
+    /// that stalled twice (see `stalled`). It is empty if there is none.
     const std::string& fault() const { return fault_; }
     /// The test cases in which the framework or the reference failed, not the submission: pairs of
     /// the tag of the task and a sentence. Such a test case counts as failed.
@@ -42,7 +42,7 @@ public:
     /// more. A later run with the same worker gets this text as its `--spent`.
     const std::string& spent() const { return spent_; }
     /// The formulas that are not called any more and the time budgets that are used up, in words.
-    /// Empty if there are none (worker/time_budget.hpp).
+    /// It is empty if there are none (worker/time_budget.hpp).
     const std::string& cost() const { return cost_; }
     /// The test cases after which the test program ended itself, because the submission's answers
     /// made it compute without end. The test cases that follow have to run in a new test program.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Asks again and again for a lease for reading (F_SETLEASE). The kernel grants a lease only if no
-// process has the file open for writing.
+// Requests a read lease (F_SETLEASE) every millisecond until the kernel grants it, for at most 10
+// s. The kernel grants it only if no process has the file open for writing.
 #include "grading/build/await_no_writer.hpp"
 
 #include <cerrno>

@@ -229,7 +229,7 @@ std::map<std::string, CompiledTopic> CompiledFolder::compile(const std::vector<s
         }
     }
     std::atomic<std::size_t> next = 0;
-    std::mutex guard; // for `steps` and what `on_step` prints
+    std::mutex guard; // protects `steps` and lets only one thread at a time call `on_step`
     const int count = static_cast<int>(steps.size() + stale.size());
     const auto work = [&] {
         for (std::size_t i; (i = next++) < stale.size();) {

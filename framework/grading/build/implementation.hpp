@@ -18,7 +18,7 @@ struct Implementation {
     /// The topics whose files do not compile, each with the first errors. The worker is built
     /// without these files, and their formulas are missing in it.
     std::map<std::string, std::string> broken;
-    std::vector<std::string> borrowed;  // topics without a file in `folder`; student/ has the file
+    std::vector<std::string> borrowed;  // topics that `folder` lacks, taken from student/
     std::vector<std::string> undefined; // names that are used but defined nowhere
     /// What was built again, such as "Building inertia.cpp"; empty if everything was up to date.
     std::vector<std::string> build_steps;
@@ -26,7 +26,7 @@ struct Implementation {
     std::string digest; // SHA-256 of the files in `folder`; for the reference, of its name
 
     bool is_broken(const std::string& topic) const { return broken.count(topic) > 0; }
-    /// The errors of all topics' files; empty if there are none.
+    /// The errors of all topics' files, one after the other; empty if there are none.
     std::string errors() const;
     /// The file of a topic, as messages show it: "student/inertia.cpp".
     std::string shown_file(const std::string& topic) const;

@@ -15,10 +15,10 @@ namespace rigor {
 
 namespace {
 
-// The most address space of ninja, and of each program that it starts [bytes].
+// The limit on the address space of ninja, and of each program that it starts [bytes].
 constexpr std::uint64_t compiler_memory = std::uint64_t(6) << 30;
-// The longest time between two lines of ninja, which prints one whenever a file is done [s]. Here
-// ninja compiles only files of the framework, but the machine may be slow or busy.
+// The longest time between two lines that ninja prints [s]; it prints one after each file. Here
+// ninja compiles only files of the framework, so only a slow or busy machine needs much time.
 constexpr double longest_silence = 3600;
 
 bool speaks_of_an_error(const std::string& line)

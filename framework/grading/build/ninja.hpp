@@ -20,8 +20,8 @@ struct NinjaRun {
     double seconds = 0;
 };
 
-/// Most processor time to compile a single file of a student [s]: a file can keep a compiler busy
-/// forever.
+/// The largest processor time for the compilation of one file of a student [s]. Without a limit, a
+/// file could keep the compiler busy forever.
 inline constexpr double compile_limit = 120;
 
 /// Runs ninja in the build folder.

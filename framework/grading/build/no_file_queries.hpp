@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The compiler includes this header before each file of a submission. A submission may not ask the
 // preprocessor which files there are: without namespaces (tier B) the compiler sees the names of
-// other files, even if it cannot open them. So each such question gets the answer no. This is so in
-// whatever way a submission writes the name of the macro, such as over two lines or pasted
-// together. A submission cannot restore the meaning that the compiler gives to the name.
+// other files, even if it cannot open them. So each such query gives 0, the answer no, in whatever
+// way a submission writes the name of the macro, such as over two lines or by token pasting. A
+// submission cannot restore the meaning that the compiler gives to the name.
 #pragma once
 #pragma GCC system_header
 

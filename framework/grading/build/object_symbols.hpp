@@ -25,10 +25,10 @@ ObjectSymbols parse_symbols(const std::string& listing);
 /// itself.
 std::string line_with_unreadable_name(const std::string& listing);
 
-/// For each topic's object, the names that it must keep to itself: all names that it defines,
-/// except for formulas and for names that another object uses. So two files may have helpers of the
-/// same name, and a `main` with which a student tries something out does no harm. If two objects
-/// define the same formula, the definition in the file of its topic counts.
+/// For each topic's object, the names that are made local to it. These are all names that it
+/// defines, except for formulas and for names that another object uses. So two files may have
+/// helpers of the same name, and a `main` that a student wrote to try something out does no harm.
+/// If two objects define the same formula, the definition in the file of its topic counts.
 /// @param reserved  names of the worker and of its libraries, such as `memcpy`: an object's own
 ///     definition of such a name is hidden from all other objects
 std::map<std::string, std::vector<std::string>>

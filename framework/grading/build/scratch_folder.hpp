@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// An empty folder for the files of tools. When this object ends, the folder is removed with all
-/// that the tools have left in it.
+/// An empty folder for the files of tools. The destructor removes the folder with all files that
+/// the tools have left in it.
 class ScratchFolder {
 public:
     explicit ScratchFolder(std::filesystem::path folder) : folder_(std::move(folder))
@@ -18,7 +18,7 @@ public:
     }
     ~ScratchFolder()
     {
-        std::error_code error; // ignored: the next run removes it
+        std::error_code error; // ignored: the next run removes the folder
         std::filesystem::remove_all(folder_, error);
     }
     ScratchFolder(const ScratchFolder&) = delete;

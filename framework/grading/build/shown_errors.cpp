@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cuts the messages of a tool to the first errors. Then removes from each line what means nothing
-// to a student: paths of this machine, names of options, and pleas for a bug report.
+// Cuts the messages of a tool to the first errors. Then removes from each line what does not help a
+// student: paths of this machine, names of options, and requests for a bug report.
 #include "grading/build/shown_errors.hpp"
 
 #include "errors/printable.hpp"
@@ -23,7 +23,8 @@ bool mentions(const std::string& text, std::string_view part)
     return text.find(part) != std::string::npos;
 }
 
-// Removes what begins with `begin` and ends with the next `end`, such as advice in brackets.
+// Removes the text from the first `begin` to the next `end`, both included, such as advice in
+// brackets.
 void remove_between(std::string& line, std::string_view begin, std::string_view end)
 {
     const std::size_t first = line.find(begin);
@@ -61,7 +62,8 @@ void hide_what_there_is(std::string& line)
     }
 }
 
-// Whether a line says nothing to a student: how to raise a limit, or whom to tell about a fault.
+// Whether a line does not help a student, because it only says how to raise a limit of the
+// compiler, how many errors there were, or where to report a bug.
 bool is_empty_talk(const std::string& line)
 {
     constexpr std::array<std::string_view, 7> talk = {
@@ -93,8 +95,8 @@ std::string shown_errors(const std::string& output)
 {
     std::string text = printable(output);
     replace_all(text, "{standard input}: Assembler messages:\n", "");
-    // A message may hold text of the student, and line breaks. With a bar before each line nobody
-    // takes such text for a verdict.
+    // A message may contain text of the student, even with line breaks. The bar before each line
+    // shows that the line is a message of the tool and not a verdict of the grader.
     std::string barred;
     for (const std::string& line : lines_of(first_errors(lines_of(text))))
         if (!is_empty_talk(line)) barred += "| " + in_plain_words(line) + "\n";
@@ -103,7 +105,8 @@ std::string shown_errors(const std::string& output)
 
 ToolLimit limit_met(const std::string& output)
 {
-    // The words of the system about a signal, and those of gcc, Clang and the assembler.
+    // The texts below are the system's names of two signals, and messages of gcc, Clang and the
+    // assembler about a lack of memory.
     if (mentions(output, "File size limit exceeded")) return ToolLimit::file_size;
     if (mentions(output, "CPU time limit exceeded")) return ToolLimit::time;
     for (const char* words : {": out of memory", "virtual memory exhausted", "memory exhausted",

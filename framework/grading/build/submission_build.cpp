@@ -157,7 +157,8 @@ private:
         return result;
     }
 
-    // The framework's part of a worker, and some room for the submission [bytes].
+    // The limit on the size of a worker: the framework's part and some room for the submission
+    // [bytes].
     std::uint64_t largest_worker() const
     {
         std::uint64_t size = 4 * largest_output;

@@ -90,7 +90,7 @@ void take_compile(Toolchain& tools, const std::string& command)
     for (std::size_t i = 0; i < words.size(); ++i) {
         const bool has_file =
             words[i] == "-MT" || words[i] == "-MF" || words[i] == "-o" || words[i] == "-c";
-        // The path of the precompiled header is recognised by its name, because the option before
+        // The path of the precompiled header is recognized by its name, because the option before
         // it depends on the compiler.
         if (words[i].find("/cmake_pch.hxx") != std::string::npos)
             tools.precompiled = fs::path(words[i]).parent_path();

@@ -34,10 +34,11 @@ std::filesystem::path no_file_queries();
 /// The toolchain for student/, taken from ninja's commands, with the chosen compiler.
 Toolchain student_toolchain();
 
-/// The largest object of a file [bytes]. Those of the reference have less than 100 kB.
+/// The limit on the size of the object of one file [bytes]. The objects of the reference have less
+/// than 100 kB.
 inline constexpr std::uint64_t largest_output = std::uint64_t{16} << 20;
 
-/// The most memory of a compiler or linker [bytes].
+/// The limit on the memory of a compiler or linker [bytes].
 std::uint64_t memory_of_a_tool();
 
 /// A tool that is run for a submission, such as a compiler or linker. It may read `folder`,
@@ -58,7 +59,7 @@ ConfinedRun run_tool(const ToolRun& tool);
 std::string why_it_does_not_start(const std::filesystem::path& worker);
 
 /// Whether there is a regular file, and no link, at this path. Where a tool should have left a
-/// file, a submission may have put a link to one of our files, or a pipe that keeps its reader
+/// file, a submission may have put a link to a file of the grader, or a pipe that keeps its reader
 /// waiting.
 bool is_plain_file(const std::filesystem::path& path);
 

@@ -44,7 +44,7 @@ public:
     void begin_unconfirmed(const std::map<std::string, std::string>& fingerprints) const;
     void confirm() const;
     /// Removes the results that no control (a submission whose points are known) has confirmed.
-    /// They are recognised by their fingerprints and not by their times, because the clocks of
+    /// They are recognized by their fingerprints and not by their times, because the clocks of
     /// machines may differ, and jump.
     void drop_unconfirmed() const;
 

@@ -26,7 +26,7 @@ struct ClassWork {
     /// The reference, which must get every point; empty if the tree has no reference.
     std::optional<Implementation> reference;
     std::vector<Submission> submissions;
-    std::uint64_t fingerprint = 0;         // fingerprint_of(selection, run)
+    std::uint64_t fingerprint = 0;         // the result of fingerprint_of(selection, run)
     std::vector<std::string> fingerprints; // the fingerprint of each submission's result
     std::filesystem::path out;             // the results' folder
 };

@@ -44,8 +44,8 @@ enum class OldResults { stay, are_replaced };
 /// and after the last submission the controls are graded: the reference, which must get every
 /// point, and a file without formulas, which must get none.
 ///
-/// The submissions are graded in a random order, drawn from the run's seed, so that it is not
-/// always the same students who meet a slow hour of the machine.
+/// The submissions are graded in a random order, drawn from the run's seed, so that a slow hour of
+/// the machine does not always affect the same students.
 /// @param work  the class, whose `fingerprints` and `out` are not set yet
 /// @throws InputError if a result cannot be written, or if `old` is `stay` and an old result would
 ///     have to be replaced

@@ -19,8 +19,8 @@ namespace {
 std::chrono::duration<double> longest_grading(std::chrono::duration<double> controls)
 {
     constexpr double multiple = 100;
-    // Enough, on a machine that is not busy, even if the compilation of each topic's file uses up
-    // its processor time (`compile_limit`).
+    // On a machine that is not busy, this is enough even if the compilation of each topic's file
+    // uses up its processor time (`compile_limit`).
     constexpr std::chrono::minutes least(30);
     return std::max<std::chrono::duration<double>>(least, multiple * controls);
 }

@@ -11,10 +11,10 @@ namespace rigor {
 class LocalEngine : public Engine {
 public:
     /// @param jobs  how many submissions are graded at the same time
-    /// @param part  the beginning of the names of the working folders. If several engines grade
-    ///              parts of one run, each part has another beginning. For a task of Slurm it is
+    /// @param part  the prefix of the names of the working folders. If several engines grade parts
+    ///              of one run, each part has a prefix of its own. For a task of Slurm it is
     ///              `<job id>_<restarts>`, where <restarts> is how often the task was restarted.
-    ///              Empty for an engine that grades the whole run.
+    ///              For an engine that grades the whole run it is empty.
     explicit LocalEngine(unsigned jobs, std::string part = {})
         : isolation_{jobs, part.empty()}, part_(std::move(part))
     {
@@ -24,8 +24,8 @@ public:
                       const OnGraded& on_graded, const OnWait& on_wait) override;
 
 private:
-    // The tasks of Slurm do not know of each other, so they leave it to the system which processor
-    // each of them gets.
+    // The tasks of Slurm cannot agree on processors, so the system decides which processor each
+    // task gets.
     Isolation isolation_;
     std::string part_;
 };

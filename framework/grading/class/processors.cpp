@@ -12,7 +12,7 @@ std::vector<int> allowed_processors()
 {
     std::vector<int> numbers;
     cpu_set_t allowed;
-    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return {}; // more than CPU_SETSIZE
+    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return {}; // too many for cpu_set_t
     for (int number = 0; number < CPU_SETSIZE; ++number)
         if (CPU_ISSET(number, &allowed)) numbers.push_back(number);
     return numbers;
@@ -57,7 +57,7 @@ void keep_to(int processor)
     cpu_set_t only;
     CPU_ZERO(&only);
     CPU_SET(processor, &only);
-    sched_setaffinity(0, sizeof only, &only); // a refusal costs only time
+    sched_setaffinity(0, sizeof only, &only); // an error is ignored: it only costs time
 }
 
 } // namespace rigor

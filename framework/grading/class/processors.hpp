@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Gives each job a processor of its own. Grader and worker of a submission take turns, so a second
-// processor hardly helps them, and jobs that move between processors disturb each other.
+// Gives each job a processor of its own. The grader and the worker of a submission run in turn, so
+// a second processor hardly helps them, and jobs that move between processors slow each other down.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,8 @@ namespace rigor {
 /// The processors that this process may use, and how many jobs each of them has.
 class Processors {
 public:
-    /// Without a processor that is known, jobs run where the system lets them run.
+    /// Determines the processors that this process may use. If this fails, `take` returns -1, and
+    /// the system decides where jobs run.
     Processors();
     explicit Processors(const std::vector<int>& numbers);
 
@@ -30,7 +31,7 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Keeps this process, and all that it starts, to one processor; -1: to none in particular.
+/// Makes this process, and all that it starts, run only on this processor. Does nothing for -1.
 void keep_to(int processor);
 
 } // namespace rigor

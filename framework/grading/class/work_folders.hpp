@@ -11,8 +11,8 @@ namespace rigor {
 class WorkFolders {
 public:
     /// @param out  the results' folder, which tells the runs apart
-    /// @param part  the beginning of the names of the folders, for one part of the run; empty: the
-    ///     object has all folders of the run
+    /// @param part  the prefix of the names of the folders, for one part of the run; if it is
+    ///     empty, the object manages all folders of the run
     explicit WorkFolders(const std::filesystem::path& out, const std::string& part = {});
     ~WorkFolders();
     WorkFolders(const WorkFolders&) = delete;

@@ -155,7 +155,7 @@ public:
 private:
     // A folder with the wanted file is a single submission. @throws InputError if such a folder
     // also looks like that of a whole class: if it has a submission from Canvas or Moodle, or at
-    // least two other submissions. A single other one may be the student's own backup.
+    // least two other submissions. A single other submission may be a backup of the student.
     void require_one_or_many(const fs::path& path, const Listing& listing) const
     {
         if (!holds(path, wanted_)) return;
@@ -258,7 +258,7 @@ private:
     }
 
     // The original name if a browser or a file manager has added a number: "kim" for "kim (1)".
-    // Empty for any other name.
+    // The result is empty for any other name.
     static std::string without_number(const std::string& name)
     {
         const std::size_t open = name.rfind(" (");

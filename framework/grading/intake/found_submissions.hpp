@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// A folder, an archive or a single source that somebody handed in.
+/// A folder, an archive or a single source that a student handed in.
 struct Submission {
     std::string name; // name of the folder, or of the file without its ending
     std::filesystem::path path;
@@ -18,7 +18,7 @@ struct Submission {
 
 struct FoundSubmissions {
     std::vector<Submission> submissions; // sorted by name, each name once
-    std::vector<std::string> notes;      // a line each: what was ignored, and what is doubtful
+    std::vector<std::string> notes;      // lines about ignored files and about doubtful cases
 };
 
 /// Finds all submissions. Each path is a submission or a folder of submissions. A folder without

@@ -14,7 +14,7 @@ namespace rigor::slurm {
 struct ArrayJob {
     std::string name;
     std::size_t tasks = 1;
-    unsigned at_once = 0;         // most tasks that run at the same time; 0: no limit
+    unsigned at_once = 0;         // limit on the tasks that run at the same time; 0 for no limit
     std::filesystem::path script; // a shell script that runs `program`
     // The file for a task's output; sbatch replaces %A by the job id and %a by the task's index.
     std::filesystem::path log;
@@ -32,14 +32,14 @@ std::string submit(const ArrayJob& job);
 /// How many tasks of a job are in each state.
 struct TaskCounts {
     std::size_t waiting = 0, running = 0;
-    std::size_t cancelled = 0; // cancelled by a user: Slurm does not run these again
+    std::size_t cancelled = 0; // canceled by a user: Slurm does not run these again
     std::string reason;        // why a task waits, such as "Resources"
 
     bool is_over() const { return waiting + running == 0; }
 };
 
 /// The counts that Slurm reports for a job. They are all 0 if Slurm has forgotten the job, as it
-/// does some minutes after the job's end. Empty if Slurm does not answer.
+/// does some minutes after the job's end. The result is empty if Slurm does not answer.
 std::optional<TaskCounts> task_counts(const std::string& job);
 
 /// Counts the tasks in the output of `squeue --format=%T|%r`, which has a line for each task.

@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// While this object lives, SIGINT and SIGTERM are only noted, so that a job of Slurm can be
-/// cancelled first. The destructor raises a noted signal again, now with its usual effect. At most
+/// canceled first. The destructor raises a noted signal again, now with its usual effect. At most
 /// one such object may live at a time.
 class Interruption {
 public:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A folder inside the results' folder. By its files, the machine that grades a class exchanges data
-// with the nodes of a cluster. Every file but the logs is written whole, so a reader finds all of
-// the file or no file. The controls in this list are submissions whose points are known.
+// A folder inside the results' folder. Through the files in it, the machine that grades a class
+// exchanges data with the nodes of a cluster. Every file but the logs is written whole, so a reader
+// finds all of the file or no file. The controls in this list are submissions whose points are
+// known.
 //
 //     plan_1.json     what the tasks of the first job are to grade, and how
 //     job             the id of the job that was submitted last
@@ -24,10 +25,10 @@ namespace rigor::slurm {
 
 /// What a job array of Slurm is to grade.
 struct Plan {
-    unsigned round = 1; // 1: the first job; 2 and more: a later job, for lost submissions
+    unsigned round = 1; // number of the job; a job after the first one grades lost submissions
     std::string assignment, out;
     std::uint32_t seed = 0;
-    std::string secret_file;                      // absolute path; empty: no secret
+    std::string secret_file;                      // absolute path; empty if there is no secret
     std::uint64_t fingerprint = 0;                // fingerprint_of(selection, run)
     std::vector<Submission> submissions;          // the submissions that this job grades
     std::vector<std::string> fingerprints;        // one for each submission

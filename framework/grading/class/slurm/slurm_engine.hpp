@@ -7,10 +7,11 @@ namespace rigor {
 
 struct SlurmOptions {
     std::vector<std::string> task_command; // command of a task; the plan's path is appended
-    std::string secret_file;               // absolute path of the course's secret; empty: none
-    // Submissions for each task; more if a job would have more than 1000 tasks otherwise.
+    std::string secret_file;               // absolute path of the secret, or empty if there is none
+    // The number of submissions for each task. It is larger if a job would otherwise have more than
+    // 1000 tasks.
     std::size_t chunk = 8;
-    unsigned at_once = 0; // most tasks that run at the same time; 0: no limit
+    unsigned at_once = 0; // limit on the tasks that run at the same time; 0 for no limit
     std::function<void(const std::string&)> on_note; // called with messages for the user
 };
 
@@ -22,7 +23,7 @@ struct SlurmOptions {
 /// are lost, a last job grades these alone.
 ///
 /// @throws InputError if Slurm takes no job or does not answer, if the nodes do not see the folder,
-///     or if somebody has cancelled the job. SIGINT and SIGTERM cancel the job, and then end this
+///     or if somebody has canceled the job. SIGINT and SIGTERM cancel the job, and then end this
 ///     process.
 class SlurmEngine : public Engine {
 public:

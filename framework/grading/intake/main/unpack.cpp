@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The program `unpack`: reads the archive that is its stdin, and prints what is in it. It runs
-// in a sandbox, since the library that reads archives works on bytes that anybody may have made.
+// The program `unpack`: reads the archive that is its stdin, and prints what is in it. It runs in a
+// sandbox, since the library that reads archives processes untrusted bytes.
 //
 //     unpack LIMIT...    see `arguments_of` in unpacked.hpp
 #include "grading/intake/archive.hpp"
