@@ -16,7 +16,8 @@ struct Feature {
     /// Cosine and sine of about 26°. A whole face counts as turned to a direction if its normal is
     /// within this angle of the direction, an edge if it is perpendicular to the direction within
     /// this angle. With a larger angle, a tilted body would get the contacts of a body that lies
-    /// flat. With a smaller one, a body that begins to rock would lose contacts. Chosen by trial.
+    /// flat. With a smaller one, a body that begins to rock would lose contacts. The value was
+    /// chosen by trial.
     static constexpr double facing_cosine = 0.9, facing_sine = 0.436;
     std::array<Vector3d, most> points;
     int count = 0;

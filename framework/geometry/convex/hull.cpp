@@ -3,7 +3,7 @@
 // found by hill climbing from vertex to vertex (Ericson 2005, "Real-time collision detection",
 // 9.5.4). The constructor first merges triangles into flat faces. Then it finds the corners of the
 // faces: vertices inside a face or along an edge belong to the triangulation and not to the solid.
-// Then it links neighbours and finds the six extreme vertices.
+// Then it links neighbors and finds the six extreme vertices.
 #include "geometry/convex/hull.hpp"
 
 #include "geometry/meshes/triangle.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 // A point is in a plane if its distance from the plane, divided by the size of the mesh
 // (`size_of`), is below this. The value is above the rounding of coordinates from a file, and far
-// below the depth of any hollow that somebody models on purpose.
+// below the depth of any hollow that is modeled on purpose.
 constexpr double flat = 1e-9;
 
 // Triangles are in one flat face if their unit normals differ by less than this. It is more than
@@ -165,7 +165,7 @@ void Hull::link_neighbours()
 
 // Climbs to the vertex that is highest along d. Of the directions -x, +x, -y, …, the one nearest to
 // d is chosen, and the climb starts at the extreme vertex in this direction. On a convex polyhedron
-// a vertex without a higher neighbour is the highest.
+// a vertex without a higher neighbor is the highest.
 int Hull::farthest(const Vector3d& d) const
 {
     int axis = 0;

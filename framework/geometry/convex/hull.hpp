@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A convex mesh as a polyhedron: vertices, neighbours and flat faces.
+// A convex mesh as a polyhedron: vertices, neighbors and flat faces.
 #pragma once
 
 #include "formulas/types.hpp"

@@ -20,7 +20,7 @@ struct Simplex {
     std::array<double, 4> weights = {};
     int count = 0;
 
-    /// Σ weight · p, where p is the w, a or b of each vertex, as `point` says.
+    /// Σ weight · p over the vertices. The member pointer `point` selects p, which is w, a or b.
     Vector3d blend(Vector3d Vertex::*point) const
     {
         Vector3d sum = Vector3d::Zero();

@@ -12,7 +12,8 @@ namespace rigor {
 /// Reads vertices `v x y z` and faces `f 1 2 3`, `f 1/1/1 2//2 -1 …`, and skips all other lines. A
 /// face of more than three vertices becomes a fan of triangles about its first vertex.
 ///
-/// @throws MeshError  also as soon as there are too many vertices or triangles
+/// @throws MeshError for an error of syntax, and as soon as there are too many vertices or
+///     triangles
 SurfaceText read_obj(std::string_view text);
 
 /// The text of a mesh. Reading this text gives exactly the same coordinates.

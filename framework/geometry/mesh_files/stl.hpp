@@ -10,7 +10,7 @@ namespace rigor {
 /// the format does not say which triangles are connected. Normals in the file are skipped: the
 /// order of the corners says where the outside is.
 ///
-/// A binary file is recognised by its length: 84 bytes, and 50 for each triangle of the count in
+/// A binary file is recognized by its length: 84 bytes, and 50 for each triangle of the count in
 /// its bytes 80 to 83, counted from 0. A text begins with `solid`.
 ///
 /// @throws MeshError

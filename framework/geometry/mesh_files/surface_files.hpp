@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// Reads a mesh in the format that the end of the file's name says: OFF for `.off`, STL for `.stl`,
+/// Reads a mesh. The end of the file's name determines the format: OFF for `.off`, STL for `.stl`,
 /// otherwise OBJ.
 ///
 /// @throws MeshError

@@ -52,7 +52,7 @@ void Fan::finish() const
 
 void keep_used_vertices(TriangleMesh& mesh)
 {
-    std::vector<int> number(mesh.vertices.size(), -1); // new index of each vertex; -1: unused
+    std::vector<int> number(mesh.vertices.size(), -1); // new index of each vertex, or -1 if unused
     std::vector<Vector3d> used;
     for (auto& triangle : mesh.triangles)
         for (int& vertex : triangle) {

@@ -54,7 +54,7 @@ public:
                 throw MeshError(0, "expected each vertex once, found number " +
                                        std::to_string(tags_[i].first) + " twice");
         TetrahedraText read;
-        std::vector<int> number(vertices_.size(), -1); // new index of each vertex; -1: unused
+        std::vector<int> number(vertices_.size(), -1); // new index of each vertex, or -1 if unused
         for (std::size_t t = 0; t < tetrahedra_.size(); ++t) {
             std::array<int, 4> corners{};
             for (int i = 0; i < 4; ++i) {

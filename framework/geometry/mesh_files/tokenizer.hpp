@@ -14,7 +14,7 @@ class Tokenizer {
 public:
     explicit Tokenizer(std::string_view text) : rest_(text) {}
 
-    /// Line of the token that was read or peeked at last, counted from 1.
+    /// Line of the token that the latest call of `next` or `peek` returned, counted from 1.
     int line() const { return line_; }
 
     /// The next token, on this line or a later one; empty at the end of the text. `next` also goes
@@ -23,7 +23,8 @@ public:
     std::string_view next();
     void skip_line(); // goes to the start of the next line
 
-    /// These functions read a token and check it; `refuse` only throws the error.
+    /// Each of these functions reads a token and checks it, except for `refuse`, which only throws
+    /// the error.
     /// @param what  what is expected, as the message of the error names it
     /// @throws MeshError
     double coordinate();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Triangle meshes of simple solids: closed, with triangles counter-clockwise seen from outside.
-// Solids of revolution have their axis along y. All lengths are in metres.
+// Solids of revolution have their axis along y. All lengths are in meters.
 #pragma once
 
 #include "formulas/types.hpp"
@@ -53,7 +53,7 @@ TriangleMesh bowl_mesh(double radius, double thickness, int sides);
 /// little backlash, if their axes are as far apart as the sum of their radii.
 ///
 /// @param radius  radius of the pitch circle [m]
-/// @param bore    radius of the hole, less than radius - 0.6 d; 0: none [m]
+/// @param bore    radius of the hole, less than radius - 0.6 d; 0 for no hole [m]
 TriangleMesh gear_mesh(int teeth, double radius, double bore, double thickness);
 
 /// An angle bracket, in the shape of an L: a foot along x and a post along y. The middle of its

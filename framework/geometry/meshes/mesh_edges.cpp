@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finds the edges of a mesh: all half-edges are sorted by their vertices, so that the two
-// half-edges of an edge become neighbours in the list.
+// half-edges of an edge become neighbors in the list.
 #include "geometry/meshes/mesh_edges.hpp"
 
 #include "geometry/meshes/triangle.hpp"

@@ -17,7 +17,7 @@ struct HalfEdge {
     bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
 
-/// The three half-edges of every triangle, sorted so that the half-edges of one edge are neighbours
+/// The three half-edges of every triangle, sorted so that the half-edges of one edge are neighbors
 /// in the list. In a closed mesh each edge has exactly two.
 std::vector<HalfEdge> sorted_half_edges(const TriangleMesh& mesh);
 

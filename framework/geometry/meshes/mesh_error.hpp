@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// The error for a mesh that is refused. The message says what was expected and what was found;
-/// `line` says where.
+/// The error for a mesh that is refused. The message contains what was expected and what was found,
+/// and `line` is the place.
 struct MeshError : std::runtime_error {
     MeshError(int in_line, const std::string& message) : std::runtime_error(message), line(in_line)
     {

@@ -30,7 +30,7 @@ struct SharpEdge {
 /// because another body always touches another part of the surface first.
 class MeshSurface {
 public:
-    /// @param spacing  largest distance of neighbouring points on an edge, > 0 [m]
+    /// @param spacing  largest distance of neighboring points on an edge, > 0 [m]
     MeshSurface(const TriangleMesh& mesh, double spacing);
 
     /// The points on vertices first, then those on edges, then those on faces.

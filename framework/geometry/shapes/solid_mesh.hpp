@@ -51,7 +51,7 @@ public:
     /// The hull of the mesh. Call it only if `is_convex()`: for another mesh the hull is wrong.
     const Hull& hull() const;
 
-    /// The largest angle between the normals of two neighbouring facets of a round surface [rad];
+    /// The largest angle between the normals of two neighboring facets of a round surface [rad];
     /// 0 if the mesh has no round surface (`facet_angle` in meshes/mesh_edges.hpp).
     double facet_angle() const;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Finds the neighbours of tetrahedra and the surface of their mesh. All faces are sorted by their
-// vertices, so that the two sides of an inner face become neighbours in the list. The surface then
-// consists of the faces without a neighbour.
+// Finds the neighbors of tetrahedra and the surface of their mesh. All faces are sorted by their
+// vertices, so that the two sides of an inner face become neighbors in the list. The surface then
+// consists of the faces without a neighbor.
 #include "geometry/tetrahedra/tetrahedra.hpp"
 
 #include <algorithm>

@@ -35,7 +35,7 @@ struct SortedFace {
     int tetrahedron, face; // indices; `face` is from 0 to 3, as in `tetrahedron_faces`
 };
 
-/// All faces of all tetrahedra, sorted so that faces with the same vertices are neighbours.
+/// All faces of all tetrahedra, sorted so that faces with the same vertices are neighbors.
 std::vector<SortedFace> sorted_faces(const TetrahedralMesh& mesh);
 
 /// For each tetrahedron and each of its faces, the tetrahedron on the other side, or -1 for none.

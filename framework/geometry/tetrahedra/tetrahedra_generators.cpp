@@ -22,7 +22,7 @@ constexpr int cell_tetrahedra[5][4] = {
 // Whether the block has the cells in column (x, y), at all z.
 using IsThere = std::function<bool(int, int)>;
 
-// Neighbouring cells are mirror images in x. A mirrored tetrahedron would be inverted, so two of
+// Neighboring cells are mirror images in x. A mirrored tetrahedron would be inverted, so two of
 // its vertices are swapped.
 TetrahedralMesh cells_as_tetrahedra(const Vector3d& size, const std::array<int, 3>& cells,
                                     const IsThere& is_there)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Meshes of tetrahedra of simple solids. A block is divided into cells, and each cell into five
-// tetrahedra: one in the middle, with a third of the volume, and four corners. Neighbouring cells
+// tetrahedra: one in the middle, with a third of the volume, and four corners. Neighboring cells
 // are mirror images of each other, so that their faces match. With an even number of cells along an
 // axis, the mesh is its own mirror image along that axis.
 #pragma once
