@@ -124,7 +124,8 @@ void Worker::fail(const Broken& broken, const ByteSink* sink)
     try {
         if (!rest.empty()) (*sink)(rest);
     } catch (const std::exception&) {
-        // If `sink` refuses the last bytes, its exception is ignored: `broken` already says enough.
+        // If `sink` refuses the last bytes, its exception is ignored, because the failure in
+        // `broken` is reported anyway.
     }
     WorkerFailure failure(broken.cause, subject_, broken.text);
     failure.output = take_output();
@@ -142,7 +143,7 @@ const Reply& Worker::exchange(const Question& question, Allowance& allowance)
     } catch (const Broken& broken) {
         fail(broken, question.sink);
     } catch (...) {
-        renew(); // the sink threw, and nobody takes the rest of the scene
+        renew(); // the sink threw, so the rest of the scene cannot be passed on
         throw;
     }
 }

@@ -57,7 +57,7 @@ ResourceLimits resources(const Limits& limits)
 void let_others_start(const std::filesystem::path& executable)
 {
     using std::filesystem::perms;
-    std::error_code error; // ignored: if the worker then cannot start, that is reported
+    std::error_code error; // ignored: if the worker cannot start then, its start fails
     std::filesystem::permissions(executable, perms::group_exec | perms::others_exec,
                                  std::filesystem::perm_options::add, error);
 }

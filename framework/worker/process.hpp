@@ -115,7 +115,7 @@ public:
 
     /// Reads a part of what the process has printed, and appends it to `kept`, but only until
     /// `kept` has `keep` bytes.
-    /// @return the number of bytes read; 0: nothing to read now, or the pipe is closed
+    /// @return the number of bytes read; 0 if there is nothing to read now or the pipe is closed
     std::size_t drain(std::string& kept, std::size_t keep);
 
 private:

@@ -121,8 +121,8 @@ Bytes SceneAnswers::await_part(FormulaIndex formula)
     }
 }
 
-/// Ends the scene if its answers so far took too long. The formula that was waited for most is to
-/// blame.
+/// Counts the time of a wait. Ends the scene if its answers so far took too long. The formula with
+/// the longest total wait is then reported as the cause.
 void SceneAnswers::count_wait(FormulaIndex formula, Seconds time)
 {
     count_time(time);

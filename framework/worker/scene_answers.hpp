@@ -23,7 +23,7 @@ public:
     /// Starts the run in the worker, which must outlive this object and gets no other request
     /// meanwhile.
     /// @param scene_name  for messages
-    /// @param payload     what the request carries: the scene's text and name
+    /// @param payload     the payload of the request: the scene's text and name, encoded
     /// @param every_step  whether every time step is recorded; to record a deformable solid, the
     ///                    engine calls formulas too
     /// @param given       the formulas whose answers the worker gets by `give`

@@ -18,7 +18,8 @@ struct Allowance {
 
     Seconds limit;       // the floor, until `used_up` raises it
     double multiple = 0; // the limit grows to `multiple` times the reference's time
-    /// Measures the reference's time. Empty if there is no reference, or after the measurement.
+    /// Measures the reference's time. The function is empty if there is no reference, and after the
+    /// measurement.
     std::function<Seconds()> reference = {};
     bool by_silence = false; // whether the time starts again at 0 with each part of the stream
     Seconds waited = {}, reference_took = {};
@@ -64,7 +65,7 @@ public:
     /// used. Then the caller calls `next_part` until it returns nothing, and `take_reply` once.
     /// @throws Broken
     void begin(const Question& question);
-    /// Waits for the next part of the stream. @return the part; empty: the reply has come
+    /// Waits for the next part of the stream. @return the part; it is empty if the reply has come
     Bytes next_part(Allowance& allowance);
     const Reply& take_reply();
 

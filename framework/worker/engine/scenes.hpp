@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The engine's part of a worker. This part, and likewise the part with the main function, is first
-// linked alone, and its names are made local. So an implementation, which is linked to them later,
-// can neither replace a function of the engine nor call one.
+// The engine's part of a worker. This part is first linked alone, and its names are made local. The
+// same is done with the part that has the main function. So an implementation, which is linked to
+// these parts later, can neither replace a function of the engine nor call one.
 #pragma once
 
 #include "worker/engine/answers.hpp"

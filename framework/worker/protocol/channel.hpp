@@ -74,13 +74,13 @@ struct Channel {
     std::atomic<std::uint32_t> argument;
     std::atomic<std::uint64_t> request_size;
     std::atomic<std::uint32_t>
-        request_awaited; // not 0: the worker may sleep until `request` changes
+        request_awaited; // not 0 while the worker may sleep until `request` changes
     // The formulas whose answers the client gives to a scene, 64 in each word.
     std::array<std::atomic<std::uint64_t>, (formula_count + 63) / 64> given_formulas;
     alignas(64) std::atomic<std::uint32_t> reply;
     std::atomic<ReplyStatus> status;
     std::atomic<std::uint64_t> reply_size;
-    std::atomic<std::uint32_t> reply_awaited; // not 0: the client may sleep until `reply` changes
+    std::atomic<std::uint32_t> reply_awaited; // not 0 while the client may sleep
     Ring stream;                              // what a scene streams, from the worker
     Ring answers;                             // answers given to a scene, from the client
     std::byte payload[capacity];
@@ -91,7 +91,7 @@ struct Channel {
 std::uint64_t contract_fingerprint();
 
 /// Wakes the process that sleeps until the word changes, if there may be one.
-/// @param awaited  not 0: a process may be asleep
+/// @param awaited  not 0 if a process may be asleep
 void wake(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& awaited);
 
 /// Sets the word and wakes the process that sleeps until it changes.

@@ -36,7 +36,7 @@ template <class T> bool is_finite(const T& value)
 }
 
 /// The first number in `value` that is not finite, named by the fields that lead to it, such as
-/// `angular_momentum.y is NaN`. Empty if all numbers are finite.
+/// `angular_momentum.y is NaN`. The result is empty if all numbers are finite.
 template <class T> std::string find_non_finite(const T& value, const std::string& path = "")
 {
     std::string found;

@@ -18,9 +18,9 @@ struct Ring {
     // How many bytes were written and read since the scene's start, modulo 2^32.
     alignas(64) std::atomic<std::uint32_t> written;
     std::atomic<std::uint32_t>
-        written_awaited; // not 0: the reader may sleep until `written` changes
+        written_awaited; // not 0 while the reader may sleep until `written` changes
     alignas(64) std::atomic<std::uint32_t> read;
-    std::atomic<std::uint32_t> read_awaited; // not 0: the writer may sleep until `read` changes
+    std::atomic<std::uint32_t> read_awaited; // not 0 while the writer may sleep
     alignas(64) std::byte bytes[size];       // byte n is bytes[n % size]
 
     /// Copies `from`, which has at most `size` bytes, into the ring. The first byte of `from`

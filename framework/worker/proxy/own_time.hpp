@@ -2,10 +2,10 @@
 // The time that a test program may compute by itself. Its engine works with the answers of a
 // submission, and some answers keep it busy without end, even within one step.
 //
-// A timer counts the time on a processor, several times in a second. A run that calls formulas
-// without end fails at one of these calls. A program that computes for too long between two calls
-// writes a message (`LastWords`) and ends itself at once, because it may never come to the next
-// call, where it could fail.
+// A timer counts the processor time in ticks, four in a second. A run that calls formulas without
+// end fails at one of these calls. A program that computes for too long between two calls writes a
+// message (`LastWords`) and ends itself at once, because it may never come to the next call, where
+// it could fail.
 #pragma once
 
 #include "formulas/table.hpp"

@@ -14,7 +14,7 @@ namespace rigor {
 
 /// Makes the formulas ask this worker from now on. The oracle, the worker of the reference, tells
 /// how long a slow call may take and answers `by_reference`.
-/// @param oracle  the program of the oracle; no value: there is no reference
+/// @param oracle  the program of the oracle; it has no value if there is no reference
 void use_worker(const std::filesystem::path& executable,
                 const std::optional<std::filesystem::path>& oracle = {}, const Limits& limits = {});
 
@@ -25,8 +25,8 @@ Worker& worker();
 /// The worker that runs the reference; nullptr if there is none.
 Worker* oracle();
 
-/// Makes the formulas take their answers from this run of a scene. nullptr: each call asks the
-/// worker again.
+/// Makes the formulas take their answers from this run of a scene. After a call with nullptr, each
+/// formula asks the worker again.
 void answer_from(SceneAnswers* run);
 
 /// Until the next call of this function, the reference answers these formulas in place of the
