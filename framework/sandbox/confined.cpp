@@ -42,8 +42,8 @@ void check(int result, const char* what)
     if (result < 0) throw_errno(errno, what);
 }
 
-/// Makes this process no longer ignore SIGCHLD: otherwise it would never learn how its children
-/// ended.
+/// Makes this process no longer ignore SIGCHLD. While it ignores this signal, it cannot find out
+/// how its children ended.
 void notice_children()
 {
     struct sigaction now {};
@@ -214,7 +214,7 @@ bool ends_within(pid_t child, int milliseconds)
     if (handle < 0) return false;
     pollfd ended = {handle, POLLIN, 0};
     int result;
-    // If a signal interrupts the waiting, it begins anew with the whole time.
+    // If a signal interrupts the wait, the wait starts again with the full time.
     while ((result = poll(&ended, 1, milliseconds)) < 0 && errno == EINTR) {
     }
     close(handle);
@@ -315,7 +315,7 @@ rusage Confined::end()
     rusage used = {};
     if (monitor_ <= 0) return used;
     begin_end();
-    constexpr int patience = 3000; // [ms]; a killed process may be busy freeing its memory
+    constexpr int patience = 3000; // wait before SIGKILL [ms]: freeing memory may take time
     if (!ends_within(monitor_, patience)) kill(monitor_, SIGKILL);
     while (wait4(monitor_, nullptr, 0, &used) < 0 && errno == EINTR) {
     }

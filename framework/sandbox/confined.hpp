@@ -100,7 +100,7 @@ public:
     /// Without a listener it is killed by SIGSYS instead.
     std::optional<int> blocked_call();
 
-    /// A descriptor that becomes readable when a call was blocked; -1: there is no listener.
+    /// A descriptor that becomes readable when a call was blocked; -1 if there is no listener.
     int listener() const { return listener_; }
 
     /// Begins to end the program and all that it started, without waiting for their end.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the launcher, which starts a program in the sandbox, says to the grader on the socket
+// What the launcher, which starts a program in the sandbox, reports to the grader on the socket
 // between them. Before the program starts, the launcher reports an error, or it reports that the
 // sandbox is up. The listener of blocked calls is attached to this second kind of report. The
 // socket is closed when the program starts, so no report can come from the program.

@@ -21,7 +21,7 @@ using enum Verdict;
 constexpr Condition never_executable = {Condition::lacks_bits, 2, PROT_EXEC};
 
 constexpr Rule worker_table[] = {
-    // Conversation with the grader: the worker waits on words in shared memory (futex) and prints
+    // Communication with the grader: the worker waits on words in shared memory (futex) and prints
     // to a pipe. All descriptors are inherited; no call here makes a new one.
     {SYS_futex, allowed},
     {SYS_read, allowed},

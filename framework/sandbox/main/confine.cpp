@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The launcher `confine`: starts one program in a sandbox. It makes the namespaces, stays outside
-// as the monitor, and forks a child that puts up the sandbox around itself and becomes the program.
-// The launcher is linked statically and does little else, so that to start a worker takes only
-// milliseconds.
+// The launcher `confine`: starts one program in a sandbox. It makes the namespaces and stays
+// outside the rest of the sandbox as the monitor. It forks a child that puts up the sandbox around
+// itself and becomes the program. The launcher is linked statically and does little else, so that
+// to start a worker takes only milliseconds.
 #include "sandbox/main/failure.hpp"
 #include "sandbox/main/monitor.hpp"
 #include "sandbox/main/namespaces.hpp"

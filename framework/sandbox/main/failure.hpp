@@ -7,7 +7,7 @@
 
 namespace rigor::confine {
 
-/// The descriptor of the socket to the grader; -1: there is none, as with the option --probe.
+/// The descriptor of the socket to the grader; -1 if there is none, as with the option --probe.
 inline int report_socket = -1;
 
 /// Reports the errno of the action that failed and ends this process.

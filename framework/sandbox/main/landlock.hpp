@@ -22,9 +22,10 @@ struct Grant {
     Access access;
 };
 
-/// Gives up access to all files but the granted ones, and to TCP ports. Also gives up signals and
-/// abstract sockets to all processes except those that this process starts later. An older Landlock
-/// restricts only a part of this. Descriptors that are open already stay as they are.
+/// Gives up access to all files but the granted ones, and to TCP ports. The process also can no
+/// longer send signals, or connect by abstract sockets, to other processes than those that it
+/// starts later. An older Landlock restricts only a part of this. Descriptors that are open already
+/// stay as they are.
 void restrict_files(const std::vector<Grant>& grants);
 
 } // namespace rigor::confine

@@ -12,8 +12,8 @@ namespace rigor::confine {
 /// 1 byte it does not.
 inline constexpr unsigned no_core = 1; // [bytes]
 
-/// Makes this process the monitor of all processes that it starts from now on, also of those whose
-/// parents have died. If the grader dies, this process gets SIGTERM.
+/// Makes this process the monitor of all processes that it starts from now on. Their descendants
+/// whose parents have died become its children. If the grader dies, this process gets SIGTERM.
 void become_monitor();
 
 /// To be called in a child of the monitor: unblocks the signals that the monitor waits for.

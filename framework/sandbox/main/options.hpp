@@ -30,7 +30,7 @@ struct Options {
     // Whether to make new namespaces: of mounts, processes, network, IPC and host name.
     bool namespaces = false;
     bool user_namespace = false; // whether the namespaces need a user namespace around them
-    unsigned user = 0;           // the program's user id and group id; 0: they are not changed
+    unsigned user = 0;           // the program's user id and group id; 0 to keep the present ones
     bool seccomp = false;
     /// Whether a blocked call waits for the grader, who learns which call it is. Otherwise a
     /// blocked call kills the process.

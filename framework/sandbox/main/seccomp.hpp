@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Puts the tables of system calls in force.
+// Filters system calls by rules such as those of calls.hpp.
 #pragma once
 
 #include "sandbox/main/calls.hpp"

@@ -95,7 +95,7 @@ void restrict_to(const std::vector<OpenPath>& paths, int program)
     restrict_files(grants);
 }
 
-// @return the listener; -1: there is none
+// @return the listener of blocked calls; -1 if there is none
 int put_filter_in_force(const Options& options, int program)
 {
     if (options.is_compiler)
