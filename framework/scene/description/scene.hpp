@@ -38,9 +38,9 @@ struct BodyDescription {
     std::vector<Part> parts; // in the body's own frame, as in the file
     Material material;
     Drag drag;
-    std::string group; // bodies of the same group pass through each other; empty: no group
-    // The only axis about which the body can turn, in world space. The zero vector: it never turns.
-    // Without a value, the body can turn about every axis.
+    std::string group; // bodies of the same group pass through each other; empty for no group
+    // The only axis about which the body can turn, in world space. With the zero vector, the body
+    // never turns. Without a value, it can turn about every axis.
     std::optional<Vector3d> only_axis;
     bool is_static = false;
     std::optional<Drive> drive; // the prescribed motion; such a body counts as static
@@ -51,7 +51,7 @@ struct BodyDescription {
     std::optional<Matrix3d> inertia;
     MassMethod mass_method = MassMethod::exact;
     // For `samples` the number of random points, for `grid` and `particles` the number of cells
-    // along the longest edge of the bounding box; 0: the default of approximate_mass.cpp.
+    // along the longest edge of the bounding box; 0 for the default in approximate_mass.cpp.
     int mass_samples = 0;
     Vector3d position = Vector3d::Zero(); // the frame's origin in world space [m]
     Quaternion orientation;
@@ -80,9 +80,9 @@ struct SolidDescription {
 };
 
 struct Camera {
-    Vector3d position = Vector3d(4, 3, 6);
-    Vector3d target = Vector3d::Zero();
-    double field_of_view = 40; // vertical angle [degrees]
+    Vector3d position = Vector3d(4, 3, 6); // [m]
+    Vector3d target = Vector3d::Zero();    // the point that the camera looks at [m]
+    double field_of_view = 40;             // vertical angle [degrees]
 };
 
 /// The quantity that the colors of deformable solids show.

@@ -8,7 +8,8 @@
 
 namespace rigor {
 
-/// Reads a drive. Its first position and orientation are not set, since they are those of the body.
+/// Reads a drive, except for its first position and orientation: they are those of the body, and
+/// `make_recorded_world` sets them.
 /// @throws Mistake
 Drive read_drive(const Value& value);
 

@@ -15,7 +15,8 @@ public:
     /// An instruction takes up to two arguments; its function ignores those that it does not take.
     struct Instruction {
         int arguments = 0;
-        double (*function)(double a, double b) = nullptr; // null: puts `number` or t on the stack
+        // The function that computes the result. If it is null, the result is `number` or t.
+        double (*function)(double a, double b) = nullptr;
         double number = 0;
         bool is_time = false;
     };

@@ -14,8 +14,8 @@ namespace rigor {
 
 namespace {
 
-// A mistake in the text of a mesh, which is on this line of the scene. A line 0 of the text means
-// that no single one is wrong.
+// A mistake in the text of a mesh. `line` is the line of the scene that contains this text. If
+// `error.line` is 0, no single line of the text is wrong.
 Mistake mistake_in(const std::string& mesh, int line, const MeshError& error)
 {
     const std::string place = error.line > 0 ? fmt::format(":{}", error.line) : "";
@@ -58,7 +58,7 @@ SharedMesh MeshLibrary::from_file(const Value& file, const Vector3d& scale, doub
             v = v.cwiseProduct(scale);
         if (depth > 0) {
             read.mesh = solid_below(read.mesh, depth, read.lines);
-            read.lines.resize(read.mesh.triangles.size(), 0); // line 0: not in the file
+            read.lines.resize(read.mesh.triangles.size(), 0); // 0 for triangles not in the file
         }
         check_mesh(read.mesh, read.lines);
         mesh = std::make_shared<SolidMesh>(std::move(read.mesh), name, cells);

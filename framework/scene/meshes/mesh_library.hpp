@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The meshes of a scene. Each triangle mesh is made once and is shared by all bodies that describe
-// the same mesh. A tetrahedral mesh is made anew for each solid.
+// the same mesh. A tetrahedral mesh is made again for each solid.
 #pragma once
 
 #include "geometry/shapes/solid_mesh.hpp"
@@ -26,9 +26,9 @@ public:
     /// and z. With a depth, the file has an open surface, and the mesh is the solid below that
     /// surface, see geometry/meshes/terrain.hpp.
     /// @param file   the value in the scene that holds the file name
-    /// @param depth  [m]; 0: the surface in the file is closed
+    /// @param depth  depth of the solid below an open surface [m]; 0 for a closed surface
     /// @param cells  number of cells of the level set along the longest side of the mesh's bounds;
-    ///               0: `suggested_cells` (geometry/level_sets/level_set.hpp)
+    ///               0 for `suggested_cells` (geometry/level_sets/level_set.hpp)
     /// @throws Mistake
     SharedMesh from_file(const Value& file, const Vector3d& scale, double depth, int cells);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads a trajectory in stages. Each stage needs a known number of bytes, reads them, checks them,
 // and names the next stage: first the header with scene and bodies, then a tag and its record,
-// again and again until the end record.
+// repeatedly, until the end record.
 #include "scene/trajectory/reader.hpp"
 
 #include "errors/quotes.hpp"
