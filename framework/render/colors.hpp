@@ -15,11 +15,11 @@ Vector4f palette(std::size_t n);
 /// look equal. Since its lightness always grows, it can be read without color vision.
 Vector4f scale(double value);
 
-extern const Vector4f crack;      // surfaces that a crack opened
-extern const Vector4f pale_crack; // such surfaces in pictures with a color scale
-extern const Vector4f resting;    // static bodies
-extern const Vector4f dark;       // letters
-extern const Vector4f ghostly, difference;
+extern const Vector4f crack;               // surfaces that a crack opened
+extern const Vector4f pale_crack;          // such surfaces in pictures with a color scale
+extern const Vector4f resting;             // static bodies
+extern const Vector4f dark;                // letters
+extern const Vector4f ghostly, difference; // bodies of a second run; marks where it differs
 extern const Vector4f axis_x, axis_y, axis_z, angular_velocity, angular_momentum, impulse, touching;
 
 /// The same color without transparency, for letters.

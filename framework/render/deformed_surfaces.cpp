@@ -119,7 +119,7 @@ void DeformedSurface::add_line(const Edge& edge, const Edge& other_side)
 // Looks for a sharp edge of other triangles that lies within 30 degrees of the plane of this
 // triangle and touches this triangle only in this corner. Such an edge is drawn on this triangle
 // too, since the line along the edge would have gaps otherwise.
-// @return the direction of the edge; nullptr: there is none
+// @return the direction of the edge; nullptr if there is none
 const Vector3d* DeformedSurface::line_through(int triangle, int corner) const
 {
     if (sharp_[triangle][corner] || sharp_[triangle][(corner + 2) % 3]) return nullptr;

@@ -27,7 +27,8 @@ struct DrawnBody {
     Vector4f color;
 };
 
-/// Two states look different if they lie apart by more than this fraction of a body's radius.
+/// Two states of a body look different if a point on its surface moves by more than about this
+/// fraction of the body's radius from one state to the other.
 constexpr double visible_distance = 0.004;
 
 /// Whether a body at this position is drawn. Bodies that have flown too far away are not drawn.

@@ -39,7 +39,7 @@ struct SurfaceVertex {
 struct Surface {
     std::vector<SurfaceVertex> triangles;
     /// A surface has two tones, which alternate from octant to octant and show the rotation of a
-    /// round body. This is the contrast between them; 0: both tones are the same.
+    /// round body. This is the contrast between them. If it is 0, both tones are the same.
     float contrast = 0;
     Vector3f center = Vector3f::Zero(); // middle of the bounding box in the shape's frame [m]
     float radius = 0;                   // largest distance of a vertex from `center` [m]
@@ -74,7 +74,7 @@ struct ColorScale {
 struct Ground {
     Matrix3f axes = Matrix3f::Identity(); // a rotation
     Vector3f position = Vector3f::Zero(); // [m]
-    bool solid = true;                    // false: only grid and shadows, if no body is a plane
+    bool solid = true; // false if only grid and shadows are drawn, as in a scene without a plane
     bool grid = true;
 };
 
@@ -83,7 +83,8 @@ struct Text {
     std::string text; // UTF-8
     Vector4f color = Vector4f(0, 0, 0, 1);
     bool large = false;
-    std::optional<Vector3f> point; // centered above this point; empty: next line in the corner
+    // The text is centered above this point. Without a value, it is the next line in the corner.
+    std::optional<Vector3f> point;
 };
 
 struct Picture {

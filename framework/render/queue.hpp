@@ -15,7 +15,8 @@ template <class T> class Queue {
 public:
     explicit Queue(std::size_t capacity) : capacity_(capacity) {}
 
-    /// Waits for room and adds an item. @return false: the queue is closed, and the item is dropped
+    /// Waits for room and adds an item. @return whether the item was added; it is dropped if the
+    /// queue is closed
     bool push(T item)
     {
         std::unique_lock lock(mutex_);

@@ -50,7 +50,8 @@ bool share_plane(const Part& part1, const Vector3d& size1, const Part& part2, co
 /// Otherwise the visible face, and its edges, would change from pixel to pixel.
 void part_planes(std::vector<Part>& parts)
 {
-    // The box loses this fraction of its size. Chosen by trial: it is too small to be seen.
+    // The box loses this fraction of its size. The value was chosen by trial, and is too small to
+    // be seen.
     constexpr double thinner = 4e-4;
     for (std::size_t j = 0; j < parts.size(); ++j)
         for (std::size_t i = 0; i < j; ++i) {

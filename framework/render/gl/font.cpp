@@ -43,7 +43,7 @@ Glyph Font::paint(char32_t letter, int size)
     Glyph glyph{0, 0, x1 - x0, y1 - y0, x0, y0, scale * static_cast<float>(advance)};
 
     // The distance between letters in the atlas; 2 would do. The shader reads two pixels beyond a
-    // letter: the rim is one pixel wide, and each of its pixels depends on its neighbours.
+    // letter: the rim is one pixel wide, and each of its pixels depends on its neighbors.
     constexpr int gap = 3; // [pixels]
     if (row_x_ + glyph.width + gap > side) {
         row_y_ += row_height_ + gap;

@@ -13,8 +13,8 @@ namespace rigor {
 struct View {
     float to_clip[16], to_light[16]; // 4 × 4 matrices, by columns
     float eye[4];
-    float light[4];  // unit vector to the sun; [3]: offset of shadows along a normal [m]
-    float screen[4]; // width, height [pixels], 1 / side of the shadow map [1/pixels]; [3] is unused
+    float light[4];  // unit vector to the sun; light[3] is the offset of shadows along a normal [m]
+    float screen[4]; // width, height [pixels], 1 / side of the shadow map [1/pixels], unused
 };
 
 /// The compiled shaders of a look. `definitions` are whole lines for the preprocessor, such as
