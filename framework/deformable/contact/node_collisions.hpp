@@ -37,7 +37,7 @@ void push_by_held_nodes(const Deformable& solid, const std::vector<HeldAxes>& he
 ///
 /// @param step_share  length of the substep divided by that of the step; a whole step removes about
 ///                    a fifth of the penetration
-/// @param farthest    the largest correction for one contact [m]
+/// @param farthest    the largest correction along the normal for one contact [m]
 void correct_node_positions(Deformable& solid, const std::vector<HeldAxes>& held,
                             const NodeContacts& contacts, double step_share, double farthest);
 

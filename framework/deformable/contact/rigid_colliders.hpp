@@ -64,8 +64,8 @@ private:
     Movers movers_;
     std::vector<Pushed> pushed_;           // for each body
     std::vector<char> pushed_in_substeps_; // for each mover
-    // For each mover, whether the last solid that pushed it moved in substeps. If so, `reached`
-    // says for each of its bodies where these have brought the center.
+    // For each mover, whether the last solid that pushed it moved in substeps. If so, `reached` is,
+    // for each of its bodies, the position of the center after these substeps.
     std::vector<char> has_reached_;
     std::size_t first_force_; // the number of forces in the world without those of nodes
 };

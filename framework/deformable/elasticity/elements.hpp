@@ -43,7 +43,7 @@ public:
     /// Without plastic strain and damping, σ and S commute, and z = 0. Otherwise, with s = Tr S,
     /// z = (s δ - S)⁻¹ axial(σ S - S σ) makes the power P : Ḟ equal to σ : Ṡ. A rotation has Ṡ = 0
     /// and takes no power, so the forces of an element have no torque on it. The exception is an
-    /// element deformed so far that R is almost no longer unique: there z is reduced, at last to 0.
+    /// element deformed so far that R is almost no longer unique: there z is reduced, down to 0.
     /// [z]× is the cross-product matrix of z, and axial(A) the vector a with [a]× = A.
     void add_forces(std::span<const Vector3d> positions, std::span<const Vector3d> velocities,
                     std::vector<Vector3d>& forces) const;

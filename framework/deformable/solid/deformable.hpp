@@ -81,7 +81,7 @@ struct NodeLoad {
 struct Workspace;
 
 /// The data that a time step derives from a solid and keeps for the next step. A copy of a solid
-/// starts without this data, and the next step makes it anew.
+/// starts without this data, and the next step makes the data again.
 struct KeptWorkspace {
     KeptWorkspace() = default;
     KeptWorkspace(const KeptWorkspace&) {}

@@ -8,6 +8,7 @@
 
 namespace rigor {
 
+/// Infinity: a time that never comes [s], or a limit that does not exist [Pa].
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
 struct SolidMaterial {
