@@ -17,7 +17,7 @@ struct Command {
     std::filesystem::path folder;       // working directory; empty for the current one
     double silence = 0;       // longest time without output or message [s]; 0 for no limit
     std::uint64_t memory = 0; // limit on the address space [bytes]; 0 for no limit
-    std::vector<std::string> environment; // "NAME=value", besides the inherited ones
+    std::vector<std::string> environment; // "NAME=value", in addition to what is inherited
     bool shares_stderr = false;           // whether its stderr is that of this process
 };
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t longest_name = 1024; // [bytes], more than any name has in practice
-constexpr std::size_t longest_part = 255;  // [bytes], the most that a file system takes
+constexpr std::size_t longest_part = 255;  // [bytes], the limit of most file systems
 
 bool has_drive(std::string_view name)
 {

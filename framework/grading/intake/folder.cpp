@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Walks through a folder in the order of the names, so that the first fault that is found is the
 // same on every machine. Each source is opened without following a link and without waiting for a
-// writer. What a program made, such as `.git`, is not opened; only its name is listed.
+// writer. Files and folders that a program made, such as `.git`, are not opened; only their names
+// are listed.
 #include "grading/intake/folder.hpp"
 
 #include "errors/quotes.hpp"

@@ -36,7 +36,8 @@ bool is_downloaded_alone(const std::string& file, bool is_folder)
     return is_folder ? name->is_online_text : !name->file.empty() && !is_archive_name(file);
 }
 
-// The content of a folder. What programs made, such as `.git`, is in no list but `dotted`.
+// The content of a folder. Folders and archives that programs made, such as `.git`, are only in the
+// list `dotted`; other files that programs made are in no list.
 struct Listing {
     std::vector<fs::path> folders, archives, links, others;
     std::vector<fs::path> downloaded; // single files and typed texts, named by Canvas or Moodle
@@ -271,7 +272,7 @@ private:
     // Turns a name that cannot be shown into printable ASCII, which can also name a folder.
     static std::string escaped(const std::string& name)
     {
-        constexpr std::size_t longest = 200; // [bytes]; a file system takes 255
+        constexpr std::size_t longest = 200; // [bytes]; file systems allow 255
         std::string text;
         for (const unsigned char c : name.substr(0, longest / 4))
             text += c >= ' ' && c <= '~' ? std::string(1, static_cast<char>(c))

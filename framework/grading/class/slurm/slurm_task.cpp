@@ -18,7 +18,8 @@ std::string node()
     return name.empty() ? "this node" : "node " + name;
 }
 
-// A node with other programs or a weaker sandbox could give other points.
+// Refuses to grade on this node if its tree, programs or sandbox differ from those of the machine
+// that submitted the job, because the points could differ too.
 void require_same_framework(const slurm::Plan& plan, const ClassWork& work)
 {
     if (work.fingerprint == plan.fingerprint) return;
