@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The client of a worker process. The client asks one implementation of the formulas, which runs
-// in the worker process, and survives whatever that process does.
+// The client of a worker process. It sends requests to one implementation of the formulas, which
+// runs in the worker process. A failure of that process does not end the client.
 #pragma once
 
 #include "formulas/table.hpp"

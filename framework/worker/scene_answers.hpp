@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs a scene with an implementation's formulas, such that the implementation cannot make up the
+// Runs a scene with an implementation's formulas, such that the implementation cannot fake the
 // motion: the engine whose states count runs in the client. The worker runs the same scene ahead of
 // the client and streams only the answer of each formula, in the order of the calls. The client's
 // engine takes these answers instead of asking for each, which would take far longer. Both engines

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The conversation with one worker process. Each question is answered in bounded time, or the
-// conversation is broken.
+// The exchange of questions and replies with one worker process. Each question is answered in
+// bounded time, or `Broken` is thrown and the session cannot be used any more.
 #pragma once
 
 #include "scene/trajectory/writer.hpp"
@@ -73,7 +73,7 @@ public:
     /// ring buffer of such answers is full. @throws Broken
     void give(FormulaIndex formula, std::span<const std::byte> answer, Allowance& allowance);
 
-    /// What the worker had streamed before the conversation broke, without the parts that were read
+    /// What the worker had streamed before a failure (`Broken`), without the parts that were read
     /// already.
     Bytes rest_of_stream();
 

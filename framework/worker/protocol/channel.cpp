@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Waiting on a word of shared memory. A process that waits first spins for some microseconds, in
-// which it lets others have its processor, and then sleeps in a futex until the other process wakes
-// it. The time to spin adapts to whether spinning has helped.
+// which it also yields its processor to other processes, and then sleeps in a futex until the other
+// process wakes it. The time to spin adapts to whether spinning has helped.
 #include "worker/protocol/channel.hpp"
 
 #include "formulas/table.hpp"
@@ -105,7 +105,8 @@ std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::ui
 {
     const auto other_has_changed = [&] { return other && other->word.load() != other->old; };
     if (const Microseconds spin = spinning.next(); spin > Microseconds(0)) {
-        // The clock is read only after the first 32 looks: most answers come earlier.
+        // The word is read 32 times before the clock is read for the first time, because most
+        // answers come earlier.
         for (std::optional<Clock::time_point> start;;) {
             for (int i = 0; i < 32; ++i) {
                 if (const std::uint32_t now = word.load(std::memory_order_acquire); now != old) {

@@ -34,7 +34,7 @@ double on_processor()
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// Writes a text by `write`, one of the few functions that a signal handler may call.
+// Writes a text by `write`, one of the functions that a signal handler may call.
 void say(const char* text, std::size_t size)
 {
     while (size > 0) {
