@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the launcher ends if a part of the sandbox (a wall) cannot be put up: it never goes on with
-// fewer walls.
+// How the launcher ends if a part of the sandbox (a wall) cannot be put up: it never starts the
+// program with fewer walls than it was asked for.
 #pragma once
 
 #include <string>
