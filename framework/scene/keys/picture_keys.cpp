@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The keys that say how a scene is drawn.
+// The keys for the camera and for what is drawn in addition to the bodies.
 #include "scene/keys/picture_keys.hpp"
 
 #include "scene/language/values.hpp"
