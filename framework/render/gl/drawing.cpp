@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Draws a picture with OpenGL. First comes the shadow map, which has the depths as the sun sees
-// them. Then come all opaque things: bodies, overlays, grounds and background. Then come the
-// translucent bodies of a second run (ghosts), the grid of a scene without a plane and the parts of
-// overlays behind bodies. Last come the letters on the resolved pixels. Shaders, meshes and maps
-// are made when the first picture needs them, and are kept.
+// Draws a picture with OpenGL. First comes the shadow map, which contains depths seen from the sun.
+// Then come all opaque objects: bodies, overlays, grounds and background. Then come the translucent
+// bodies of a second run (ghosts), the grid of a scene without a plane and the parts of overlays
+// behind bodies. Last come the letters on the resolved pixels. Shaders, meshes and maps are made
+// when the first picture needs them, and are kept.
 #include "render/gl/drawing.hpp"
 
 #include "render/gl/ground_mesh.hpp"

@@ -28,7 +28,7 @@ void require_complete(const char* what)
 
 Target::Target(int width, int height) : width_(width), height_(height)
 {
-    constexpr int samples = 4; // per pixel; more samples: smoother edges, but more time and memory
+    constexpr int samples = 4; // per pixel; more would smooth edges better but take more time
     glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
     storage(resolved_color_, GL_SRGB8_ALPHA8, 0, width, height, GL_COLOR_ATTACHMENT0);
     require_complete("the picture");

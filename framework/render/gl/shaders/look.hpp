@@ -5,7 +5,7 @@
 
 namespace rigor {
 
-/// The kinds of things to draw. Each kind has shaders of its own.
+/// The kinds of objects to draw. Each kind has shaders of its own.
 enum class Look { box, ball, model, overlay, ground, background, shadow, text, patch, count };
 
 /// The shaders of a look, in OpenGL's shading language.
