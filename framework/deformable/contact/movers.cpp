@@ -156,7 +156,7 @@ bool moves_with(const Body& body1, const Body& body2, const Vector3d& point, dou
 // A contact between rigid bodies in the previous step, for one of its two bodies.
 struct Lying {
     int body, other;
-    Vector3d point, force; // contact point now [m]; mean force on `body` then [N]
+    Vector3d point, force; // present contact point [m]; mean force on `body` in that step [N]
 };
 
 std::vector<Lying> lying_bodies(const World& world, const std::vector<Wrench>& loads)

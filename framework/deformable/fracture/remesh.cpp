@@ -208,7 +208,7 @@ void remesh(Deformable& solid, EmbeddedMesh embedded)
         int old = -1;
         for (const int copy : copies[embedded.parents[t]])
             if (solid.embedded.real.empty() || solid.embedded.real[copy][corner]) old = copy;
-        if (old < 0) // never with a correct formula: all material was in an old copy
+        if (old < 0) // impossible with a correct formula: all material was in an old copy
             throw std::out_of_range("virtual_nodes returned matter that was in no element");
         parents.push_back(old);
         for (int i = 0; i < 4; ++i) {

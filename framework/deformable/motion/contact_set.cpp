@@ -68,7 +68,7 @@ TiedNode ContactSet::tie(int k) const
 {
     const NodeContact& c = step_->contacts[k];
     const int number = step_->bodies.number(c.body);
-    // The velocity that closes the gap within the step.
+    // The velocity at which the node closes the gap within the step.
     Vector3d surface = -std::max(c.gap, 0.0) / step_->time_step * c.normal;
     if (number < 0) surface += step_->bodies.velocity_before(step_->rigid, c.body, arm(c));
     const bool slides = modes_[k] == ContactMode::sliding;
