@@ -32,7 +32,7 @@ struct Rule {
 
 /// The process id and the descriptors that the rules of a worker refer to.
 struct OwnNumbers {
-    std::uint32_t process; // the process id of this process, as it sees it itself (getpid)
+    std::uint32_t process; // the id that getpid returns in this process
     // Both descriptors are closed when the program starts.
     std::uint32_t report;  // the descriptor of the socket to the grader
     std::uint32_t program; // the descriptor of the program's file
