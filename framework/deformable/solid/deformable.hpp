@@ -21,7 +21,7 @@
 namespace rigor {
 
 /// How the nodes of a deformable solid move through a time step. (For rigid bodies, `Integrator`
-/// says this.)
+/// does this.)
 enum class NodeIntegrator {
     explicit_step,  ///< symplectic Euler, in substeps no longer than the mesh and material allow
     implicit_step,  ///< backward Euler: one sparse linear system, solved again while contacts or
