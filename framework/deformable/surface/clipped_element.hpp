@@ -9,7 +9,7 @@ namespace rigor {
 /// A face of the material of a copy: a convex polygon, counter-clockwise seen from outside.
 struct ClippedFace {
     std::vector<Eigen::Vector4d> weights; // barycentric coordinates of its vertices
-    int face = -1;                        // index of the element's face around it; -1: on a crack
+    int face = -1;                        // the element's face that contains it, or -1 on a crack
 };
 
 /// The faces that bound the material of a copy (a cracked element has one copy for each piece of

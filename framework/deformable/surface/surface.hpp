@@ -15,7 +15,7 @@ struct EmbeddedPoint {
 /// A triangle of the drawn surface, counter-clockwise seen from outside.
 struct EmbeddedTriangle {
     std::array<int, 3> points = {0, 0, 0};
-    int element = 0;       // the element whose material it bounds
+    int element = 0;       // the element whose material this triangle bounds
     bool is_crack = false; // whether a crack made it visible
 };
 
