@@ -19,7 +19,7 @@ extern const Vector4f crack;               // surfaces that a crack opened
 extern const Vector4f pale_crack;          // such surfaces in pictures with a color scale
 extern const Vector4f resting;             // static bodies
 extern const Vector4f dark;                // letters
-extern const Vector4f ghostly, difference; // bodies of a second run; marks where it differs
+extern const Vector4f ghostly, difference; // bodies of a second run; marks of differences
 extern const Vector4f axis_x, axis_y, axis_z, angular_velocity, angular_momentum, impulse, touching;
 
 /// The same color without transparency, for letters.

@@ -190,7 +190,7 @@ void Drawing::draw_bodies(const Picture& picture)
 void Drawing::draw_ghosts(const Picture& picture)
 {
     glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(1.0F, 4.0F); // avoids flicker where a ghost's face lies on a body's
+    glPolygonOffset(1.0F, 4.0F); // avoids flicker where faces of a ghost and a body coincide
     if (!picture.ghost_boxes.empty()) {
         use(Look::box, "#define GHOST\n");
         draw_solids(Solid::cube, picture.ghost_boxes);
