@@ -61,8 +61,8 @@ public:
     /// @throws Broken, what the sink throws; after either, the session cannot be used any more
     const Reply& ask(const Question& question, Allowance& allowance);
 
-    /// Does what `ask` does, in separate calls: this one sends the question, whose sink is not
-    /// used. Then the caller calls `next_part` until it returns nothing, and `take_reply` once.
+    /// Does what `ask` does, in separate calls. `begin` sends the question, whose sink is not used.
+    /// Then the caller calls `next_part` until it returns nothing, and `take_reply` once.
     /// @throws Broken
     void begin(const Question& question);
     /// Waits for the next part of the stream. @return the part; it is empty if the reply has come

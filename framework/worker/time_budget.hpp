@@ -26,7 +26,7 @@
 
 namespace rigor {
 
-/// What a submission has cost so far. A later run of the same submission goes on from this.
+/// What a submission has cost so far. A later run of the same submission starts from it.
 struct Spent {
     std::chrono::duration<double> calls{}, scenes{}, starts{};
     std::vector<FormulaIndex> given_up;
