@@ -36,17 +36,18 @@ struct Drag {
     bool acts() const { return linear != 0 || quadratic != 0 || turning != 0; }
 };
 
-/// How long a body has been at rest, and whether it sleeps.
+/// The time for which a body has been at rest, and whether the body sleeps.
 struct Rest {
     double duration = 0; // time for which the body has stayed near `place`, see step/sleep [s]
-    RigidState place;
+    RigidState place;    // later states of the body are compared with this one
     int group = -1; // id of the group of bodies that fell asleep together; -1: the body is awake
 
     bool is_asleep() const { return group >= 0; }
 };
 
 /// A rigid body. Its object space has the axes in which the scene file describes the body. The
-/// origin is the center of mass or, for a static body, the origin of the scene file's description.
+/// origin of object space is the center of mass or, for a static body, the origin of the scene
+/// file's description.
 struct RigidBody {
     std::string name;
     std::vector<Part> parts; // in object space
@@ -85,12 +86,12 @@ struct RigidBody {
 
     bool is_body_of_revolution() const { return !symmetry_axis.isZero(0); }
 
-    /// Whether the body sleeps, or is static without a drive or with a belt. Its pose then stays
-    /// the same in this step; a belt moves only the bodies that touch its surface.
+    /// Whether the pose of the body stays the same in this step: the body sleeps, or it is static
+    /// and either has no drive or is a belt. A belt moves only the bodies that touch its surface.
     bool is_still() const { return (is_static && !changes_place()) || rest.is_asleep(); }
 
-    /// Whether the body has a drive that moves or turns the body itself, as a belt does not. The
-    /// result is the same at all times, also before the drive starts and after it ends.
+    /// Whether the body has a drive other than a belt, so that the drive moves or turns the body
+    /// itself. The result is the same at all times, also before the drive starts and after it ends.
     bool changes_place() const { return drive && !drive->is_belt; }
 };
 

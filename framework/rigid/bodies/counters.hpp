@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Counters of a run. The table lists most skips: kinds of work that are left out where a scene does
-// not need them. Some counters count what was left out, others what was done (`islands`,
-// `warm_starts`, `level_sets_built`, and `pairs_tested` out of `pairs_possible`). A switch is the
-// key in "optimisations" of a scene file that turns a skip off. `rigor bench skips` measures how
-// much time skips save.
+// not need them. Some counters count the work that was left out. The others count the work that was
+// done: `islands`, `warm_starts`, `level_sets_built`, and `pairs_tested` out of `pairs_possible`. A
+// switch is the key in "optimisations" of a scene file that turns a skip off. `rigor bench skips`
+// measures how much time the skips save.
 // "Decided by" names the source file below framework/rigid (for deformable/: below framework), then
 // the function or the reason.
 //
 // counter               switch in a scene     decided by
-// isotropic_shortcuts                         motion/free_flight, `fly` and `fly_all`: I(t) fixed
+// isotropic_shortcuts                         motion/free_flight, `fly` and `fly_all`: constant I
 //  (not counted)                              step/single_body, `is_single_body`: no contacts
 // static_skipped                              motion/free_flight, `fly_all`
 // bodies_asleep         sleep                 step/sleep, `fall_asleep`
@@ -38,7 +38,7 @@ struct Counters {
     std::uint64_t pairs_possible = 0, pairs_tested = 0, pair_searches_saved = 0, contacts = 0;
     std::uint64_t collision_impulses = 0, contact_impulses = 0;
     std::uint64_t isotropic_shortcuts = 0, free_flights = 0, static_skipped = 0;
-    std::uint64_t islands = 0, bodies_asleep = 0, warm_starts = 0; // numbers in each step, added up
+    std::uint64_t islands = 0, bodies_asleep = 0, warm_starts = 0; // sums over all steps
     std::uint64_t contact_sweeps = 0, early_exits = 0, newton_solves = 0;
     std::uint64_t corrected_contacts = 0;
     std::uint64_t level_sets_built = 0, level_set_samples = 0;

@@ -14,7 +14,7 @@ namespace rigor {
 ///
 /// exp(s ω) is the rotation by the rotation vector s ω in world space. The body turns about the
 /// origin of its object space. If the drive is a belt, only the surface moves: contacts use the
-/// velocities of the motion, but the body stays where it is.
+/// velocities of this motion, but the pose of the body stays the same.
 struct Drive {
     Vector3d velocity = Vector3d::Zero();         // V [m/s]
     Vector3d angular_velocity = Vector3d::Zero(); // ω, world space [rad/s]
@@ -32,7 +32,8 @@ struct DriveVelocity {
     Vector3d linear = Vector3d::Zero(), angular = Vector3d::Zero(); // [m/s], [rad/s]
 };
 
-/// The velocity at a time: the derivative of the path; zero before `start` and from `end` on.
+/// The velocity at a time, which is the derivative of the motion. It is zero before `start` and
+/// from `end` on.
 DriveVelocity drive_velocity(const Drive& drive, double time);
 
 /// The mean velocity over the step that starts at `time`: with this velocity the body moves from
@@ -41,7 +42,7 @@ DriveVelocity drive_velocity(const Drive& drive, double time);
 DriveVelocity mean_drive_velocity(const Drive& drive, double time, double time_step);
 
 /// The state of a driven body at a time. Its angular momentum is zero, since a driven body is
-/// static and its mass is 0. A belt has its first pose and velocity zero at all times.
+/// static and its mass is 0. At all times, a belt has its first pose and the velocity zero.
 RigidState driven_state(const Drive& drive, double time);
 
 } // namespace rigor

@@ -56,7 +56,7 @@ public:
 private:
     static int exponent_of(double x)
     {
-        constexpr int none = -1000; // for 0 and infinity: far below that of any length
+        constexpr int none = -1000; // exponent for 0 and infinity; any length has a larger one
         return std::isnormal(x) ? std::ilogb(x) : none;
     }
 
@@ -64,8 +64,8 @@ private:
     double shift_;
 };
 
-/// Makes sort keys of points: by height, lowest first, then by x, z and y, all rounded by
-/// `RoundedLength`.
+/// Makes sort keys of points. Points are sorted by height, lowest first, then by x, z and y. These
+/// numbers are rounded by `RoundedLength`.
 class HeightOrder {
 public:
     struct Key {

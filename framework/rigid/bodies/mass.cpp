@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Mass properties of a body from its parts. For each part they come from a closed form or from a
-// formula of topic `inertia`. The parts are rotated, moved to their places and combined. Then the
-// inverse inertia follows through the principal axes, and with it the axis of symmetry.
+// Mass properties of a body from its parts. Those of each part come from a closed form or from a
+// formula of topic `inertia`. They are rotated and moved with the part, and combined over all
+// parts. Then the principal axes give the inverse inertia and the axis of symmetry.
 #include "rigid/bodies/mass.hpp"
 
 #include "formulas/inertia.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mass, inertia and inverse inertia of a body from its parts: computed once for a body, never in a
-// step.
+// Mass, inertia and inverse inertia of a body from its parts. They are computed once for each body
+// and not in every step.
 #pragma once
 
 #include "rigid/bodies/world.hpp"
@@ -10,15 +10,15 @@ namespace rigor {
 /// Mass properties of parts, each with its own density, in the frame in which the parts' poses are
 /// given.
 ///
-/// Calls the formula of topic `inertia` for each part's shape. There is no formula for cones, tori
-/// and the round ends of a capsule, so closed forms of the engine are used. `world_inertia` is
-/// called only for a rotated part whose inertia is not isotropic, and `combine` only for a capsule
-/// and for several parts.
+/// Calls the formula of topic `inertia` that belongs to each part's shape. The topic has no formula
+/// for cones, tori and the round ends of a capsule; closed forms in mass.cpp are used for them.
+/// `world_inertia` is called only for a rotated part whose inertia is not isotropic, and `combine`
+/// only for a capsule and for several parts.
 MassProperties mass_properties(const std::vector<Part>& parts);
 
-/// Whether I = i δ (i: a number, δ: identity), where each element may differ by up to 64 times the
-/// machine epsilon, relative to i. This holds for spheres and cubes in any orientation, and for a
-/// zero matrix.
+/// Whether I = i δ (i: a number, δ: identity) up to rounding: each element may be off by up to 64
+/// times the machine epsilon times i. The result is true for spheres and cubes in any orientation,
+/// and for a zero matrix.
 bool is_isotropic(const Matrix3d& inertia);
 
 /// Sets the mass and the inertia of a body from its parts' densities, and moves the parts so that

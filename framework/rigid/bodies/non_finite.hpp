@@ -17,7 +17,8 @@ struct NonFiniteState : std::runtime_error {
     double time = 0;            // [s]
 };
 
-/// @throws NonFiniteState if X, q, V or L is not finite; names the first of these that is not
+/// @throws NonFiniteState if X, q, V or L is not finite; the exception names the first of these
+///                        that is not finite
 void require_finite(const RigidBody& body, const RigidState& state, double time);
 
 } // namespace rigor

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Computes a body's rotation matrix, from it the inverse inertia in world space, and from this the
-// angular velocity. The distance of two orientations p and q is the smaller one of |p - q| and |p +
-// q|, because q and -q are the same rotation.
+// Computes a body's rotation matrix, then the inverse inertia in world space, then the angular
+// velocity. The distance of two orientations p and q is the smaller one of |p - q| and |p + q|,
+// because q and -q are the same rotation.
 #include "rigid/bodies/orientation.hpp"
 
 #include "formulas/inertia.hpp"

@@ -19,11 +19,12 @@ Matrix3d inverse_inertia(Integrator integrator, const RigidBody& body, const Rig
 /// ω = I(t)⁻¹ L [rad/s]
 Vector3d angular_velocity(Integrator integrator, const RigidBody& body, const RigidState& state);
 
-/// The body in world space, as the formulas take it. Of a static body only the position is set, so
-/// the velocities of a driven body are 0 here.
+/// The body in world space, in the form that the formulas take. For a static body only the position
+/// is set; so the velocities are 0 even if the body is driven.
 Body body_in_world(Integrator integrator, const RigidBody& body);
 
-/// The quaternion of a rotation matrix, by `quaternion_of`: of q and -q the one nearer to `p`.
+/// The quaternion of a rotation matrix, by `quaternion_of`. Of the two quaternions q and -q of this
+/// rotation, the result is the one nearer to `p`.
 Quaternion nearer_quaternion_of(const Matrix3d& R, const Quaternion& p);
 
 /// min(|p - q|, |p + q|): about half the angle [rad] between two orientations, if this angle is

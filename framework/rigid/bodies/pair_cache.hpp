@@ -18,18 +18,18 @@ struct BodyPair {
 };
 
 /// The pairs of bodies that may come near each other during the next steps. Each body has fat
-/// bounds: its bounds, for a moving body enlarged by a margin. As long as every body stays within
-/// its fat bounds, only pairs whose fat bounds overlap can meet (Verlet 1967, "Computer
-/// \"experiments\" on classical fluids", Phys. Rev. 159).
+/// bounds; for a moving body these are its bounds enlarged by a margin, for any other body just its
+/// bounds. As long as every body stays within its fat bounds, only pairs whose fat bounds overlap
+/// can meet (Verlet 1967, "Computer \"experiments\" on classical fluids", Phys. Rev. 159).
 struct PairCache {
     enum class Kind : char {
         moving,
-        still,     // `RigidBody::is_still`
-        unbounded, // has a plane
+        still,     // see `RigidBody::is_still`
+        unbounded, // a part of the body is a plane
     };
 
     std::vector<Bounds> fat_bounds; // one for each body; empty if the cache is empty
-    std::vector<Kind> kinds;        // one for each body, as it was when the fat bounds were made
+    std::vector<Kind> kinds;        // kind of each body at the time when the fat bounds were made
     // The pairs that `near_pairs` (detection/broad_phase) found with the fat bounds, sorted by
     // `body1`, then `body2`.
     std::vector<BodyPair> pairs;

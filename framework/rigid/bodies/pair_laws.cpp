@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Finds the law of two bodies in a sorted list by bisection. A contact has the restitution and
-// friction of the law. A value that the law does not set is combined from the materials of the two
-// bodies. Without a law, both values are combined from the materials.
+// Finds the law of two bodies in a sorted list by bisection. A contact takes the restitution and
+// the friction from this law. A value that the law does not set, and both values if there is no
+// law, are combined from the materials of the two bodies.
 #include "rigid/bodies/pair_laws.hpp"
 
 #include <algorithm>

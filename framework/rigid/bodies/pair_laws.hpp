@@ -26,9 +26,9 @@ void sort_by_pair(std::vector<PairLaw>& laws);
 /// The law of two bodies, or null if no law is listed for this pair.
 const PairLaw* law_of(std::span<const PairLaw> laws, int body1, int body2);
 
-/// ε and μ of a contact between two bodies. Each is that of the law of the two bodies. If no law
-/// sets ε, it is the smaller restitution; if no law sets μ, it is the geometric mean of the
-/// frictions.
+/// ε and μ of a contact between two bodies. A value that the law of this pair sets is taken from
+/// the law. Otherwise ε is the smaller restitution of the two materials, and μ is the geometric
+/// mean of their frictions.
 Material material_between(std::span<const PairLaw> laws, std::span<const RigidBody> bodies,
                           int body1, int body2);
 

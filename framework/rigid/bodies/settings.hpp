@@ -11,9 +11,9 @@ namespace rigor {
 enum class Integrator {
     matrix, ///< Runge–Kutta 4 on (X, R, V, L) through `equations_of_motion`; R is made a rotation
             ///< again after each step
-    linear, ///< by the formula `step_symplectic_euler`
+    linear, ///< symplectic Euler by the formula `step_symplectic_euler`
     exponential,  ///< symplectic Euler with `advance_exact`
-    buss,         ///< by the formula `step_buss`
+    buss,         ///< Buss's method by the formula `step_buss`
     runge_kutta,  ///< methods of fourth order on (X, q, V, L), see free_flight.hpp
     gram_schmidt, ///< symplectic Euler with `advance_matrix` and `gram_schmidt`; shows the bias of
                   ///< Gram–Schmidt
@@ -31,13 +31,13 @@ enum class ContactMethod {
     built_in,
     one_at_a_time,     ///< by the formula `resolve_contacts`
     shock_propagation, ///< by the formulas `resolve_contacts` and then `shock_propagation`
-    simultaneous,      ///< as `built_in`, with the sweeps of `resolve_simultaneously`
+    simultaneous,      ///< as `built_in`, but with sweeps by the formula `resolve_simultaneously`
 };
 
-/// Optimisations that leave out work that a scene does not need. Each is used if true. It can be
-/// turned off, to measure the time that it saves, and to check that the result stays the same, or
-/// the same within a bound that a test states. counters.hpp lists most work that is left out, with
-/// or without a switch here.
+/// Optimizations that leave out work that a scene does not need. Each of them is used if its value
+/// is true. A scene can turn each of them off, to measure the time that it saves and to check that
+/// the result stays the same, or the same within a bound that a test states. counters.hpp lists
+/// most kinds of work that are left out, also those without a switch here.
 struct Optimisations {
     bool islands = true;      ///< solves each group of touching bodies on its own
     bool sleep = true;        ///< skips bodies that have come to rest

@@ -24,11 +24,11 @@ struct ContactRecord {
     int body1 = 0, body2 = 0;
     Vector3d point = Vector3d::Zero();   // [m]
     Vector3d normal = Vector3d::UnitY(); // from body 2 to body 1
-    // Penetration, negative for a gap [m]: at the start of the step or, if the step was divided, at
-    // the start of the part that solved the contact. If `bounce_at_impacts` moved a bounce to its
-    // time of impact: at this time.
+    // Penetration, negative for a gap [m]. It is measured at the start of the step or, if the step
+    // was divided, at the start of the part that solved the contact. If `bounce_at_impacts` moved
+    // the bounce to its time of impact, the penetration is measured at that time.
     double depth = 0;
-    Vector3d impulse = Vector3d::Zero(); // on body 1, summed over the step or this part [N s]
+    Vector3d impulse = Vector3d::Zero(); // on body 1, in the whole step or in that part [N s]
 };
 
 /// A contact of a sleeping body, with the impulse of the step in which the body fell asleep.
@@ -36,10 +36,11 @@ struct SleepingContact : ContactRecord {
     double time_step = 0; // length of that step [s]
 };
 
-/// What a step leaves for the next one. `finish_step` (step/step_result) replaces the warm
-/// contacts, or `step_single_body` removes them. step/sleep stores the contacts of bodies that fall
-/// asleep as sleeping ones, and moves their warm contacts back when the bodies wake.
-/// detection/broad_phase writes the pairs. How long a body has been at rest is not here, but in
+/// What a step leaves for the next one. At the end of a step, `finish_step` (step/step_result)
+/// replaces the warm contacts; in a world of a single body, `step_single_body` removes them
+/// instead. step/sleep stores the contacts of bodies that fall asleep as sleeping contacts. When
+/// the bodies wake, it makes their sleeping warm contacts warm contacts again.
+/// detection/broad_phase writes the pairs. The time for which a body has been at rest is in
 /// `RigidBody::rest`.
 ///
 /// `start_warm` reads the warm contacts, and step/adaptive_substeps those of a part of the world.
@@ -49,7 +50,7 @@ struct StepMemory {
     std::vector<WarmContact> warm_contacts;          // sorted by `body1`, then `body2`
     std::vector<SleepingContact> sleeping_contacts;  // contacts that support sleeping bodies
     std::vector<WarmContact> sleeping_warm_contacts; // become warm contacts when the bodies wake
-    PairCache pairs; // saves work only: the results are bitwise the same without it
+    PairCache pairs; // only saves time: without this cache, the results are bitwise the same
 };
 
 } // namespace rigor

@@ -26,7 +26,7 @@ struct TwoVectors {
     return {Two{a[0], b[0]}, Two{a[1], b[1]}, Two{a[2], b[2]}};
 }
 
-/// The vector of body 1 (`of_first`) and of body 2 (`of_second`).
+/// The vector of body 1 (`of_first`) or of body 2 (`of_second`).
 inline Vector3d of_first(const TwoVectors& a)
 {
     return {a.x[0], a.y[0], a.z[0]};
@@ -87,11 +87,11 @@ struct TwoMasses {
             of.xz * t.x + of.yz * t.y + of.zz * t.z};
 }
 
-/// V and ω of both bodies, in registers while the contacts between them are visited.
+/// V and ω of both bodies. They stay in registers while a sweep visits the contacts of this pair.
 struct TwoMotions {
     TwoVectors V, w;
 
-    /// v₁ - v₂ at the contact point, which the lever arms r point to.
+    /// v₁ - v₂ at the contact point. The lever arms r lead from the centers of mass to this point.
     [[gnu::always_inline]] Vector3d relative_velocity(const TwoVectors& r) const
     {
         TwoVectors v = cross(w, r);

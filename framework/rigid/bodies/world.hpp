@@ -14,7 +14,8 @@
 
 namespace rigor {
 
-/// A spring between two points, each attached to a body or, for body = -1, fixed in the world.
+/// A spring between two points. Each point is attached to a body or, if the index of this body is
+/// -1, fixed in the world.
 struct Spring {
     int body1 = -1, body2 = -1;
     Vector3d point1 = Vector3d::Zero(),
@@ -25,14 +26,15 @@ struct Spring {
     bool only_pulls = false;            // true: a rope, slack while shorter than `rest_length`
 };
 
-/// A force on a point of a body and a torque, which act from `start` to `end`. If the frequency f
-/// is not 0, both are multiplied by sin(2π f t + φ); if there is a factor, also by its value at
+/// A force on a point of a body and a torque on this body, which act from `start` to `end`, in
+/// world space unless `turns_with_body`. If the frequency f is not 0, force and torque are
+/// multiplied by sin(2π f t + φ). If there is a `factor`, they are also multiplied by its value at
 /// time t.
 struct AppliedForce {
     int body = 0;
     Vector3d force = Vector3d::Zero();         // [N]
     Vector3d point = Vector3d::Zero();         // object space [m]
-    double start = 0, end = 1e300;             // [s]
+    double start = 0, end = 1e300;             // times in the world's time [s]
     Vector3d torque = Vector3d::Zero();        // [N m]
     bool turns_with_body = false;              // true: `force` and `torque` are in object space
     double frequency = 0;                      // f [Hz]; 0: constant
@@ -41,9 +43,9 @@ struct AppliedForce {
 };
 
 /// Everything that a time step reads and changes: state, settings, and the memory of the last step.
-/// step/adaptive_substeps.cpp and step/impact.cpp make smaller worlds of some bodies of a world.
-/// They copy the settings as a whole, but if `World` gets a new member that a smaller world needs,
-/// both files have to copy this member.
+/// step/adaptive_substeps.cpp and step/impact.cpp each build a smaller world from some of the
+/// bodies. Both copy all settings. If `World` gets a new member that a smaller world needs, both
+/// files have to copy this member too.
 struct World {
     double time = 0; // [s]
     std::vector<RigidBody> bodies;

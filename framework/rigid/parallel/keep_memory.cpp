@@ -12,8 +12,8 @@ namespace rigor {
 void keep_freed_memory()
 {
 #ifdef __GLIBC__
-    constexpr int kept = 1 << 30; // the most freed memory that the process keeps [bytes]
-    // Blocks of at least this size are given back as soon as they are freed [bytes]. mallopt
+    constexpr int kept = 1 << 30; // largest amount of freed memory that the process keeps [bytes]
+    // Blocks of at least this size go back to the system as soon as they are freed [bytes]. mallopt
     // accepts no larger value.
     constexpr int largest_block = 32 << 20;
     mallopt(M_TRIM_THRESHOLD, kept);

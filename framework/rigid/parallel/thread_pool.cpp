@@ -19,12 +19,12 @@ namespace rigor {
 
 namespace {
 
-// Waits until `is_wanted(value)` is true, and returns the value. The next work of a step comes
-// within microseconds, so a thread first checks the value again and again, then lets other threads
+// Waits until `is_wanted(value)` is true, and returns the value. The next work of a step usually
+// comes within microseconds. So a thread first checks the value in a loop, then lets other threads
 // run between the checks, and only then sleeps.
 template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWanted& is_wanted)
 {
-    constexpr int spins = 1000, yields = 4000; // number of checks without, then with a yield
+    constexpr int spins = 1000, yields = 4000; // numbers of checks without and then with a yield
     for (int i = 0; i < spins + yields; ++i) {
         const T now = value.load();
         if (is_wanted(now)) return now;
@@ -39,21 +39,21 @@ template <class T, class IsWanted> T wait_for(std::atomic<T>& value, const IsWan
 
 } // namespace
 
-// Which tasks of the current call of `run` the threads have taken. `from_first` counts those taken
-// from the first task upwards, `from_last` those from the last task downwards. `work` changes with
-// each call of `run`, so that a late worker cannot take a task with the values that it has read in
-// an earlier call.
+// The tasks that threads have taken in the current call of `run`. `from_first` counts those taken
+// from the first task upwards, `from_last` those taken from the last task downwards. `work` changes
+// with each call of `run`, so that a worker that still holds values of an earlier call cannot take
+// a task.
 struct alignas(std::uint64_t) TakenTasks {
     std::uint32_t work = 0;
     std::uint16_t from_first = 0, from_last = 0;
 };
 static_assert(std::atomic<TakenTasks>::is_always_lock_free);
-constexpr int most_tasks = 0xffff; // the largest count in from_first and from_last
+constexpr int most_tasks = 0xffff; // largest value of `from_first` and of `from_last`
 
 class ThreadPool::Workers {
 public:
     ~Workers();
-    /// Does all tasks, with this number of workers in addition to the calling thread.
+    /// Does all tasks with `workers` threads in addition to the calling thread.
     void run(int workers, int tasks, const void* what, Call call);
 
 private:
@@ -66,7 +66,7 @@ private:
     std::atomic<Call> call_ = nullptr;
     std::atomic<int> tasks_ = 0;
     std::atomic<TakenTasks> taken_ = TakenTasks{};
-    std::atomic<std::uint32_t> round_ = 0; // each `run` changes it, and this wakes idle workers
+    std::atomic<std::uint32_t> round_ = 0; // `run` changes this number to wake idle workers
     std::atomic<bool> is_over_ = false;    // true: the workers have to end
     std::atomic<int> done_ = 0;            // number of finished tasks in this call of `run`
     std::mutex mutex_;                     // guards the two members below
@@ -99,7 +99,7 @@ void ThreadPool::run_by_workers(int tasks, const void* what, Call call)
 int ThreadPool::range_count(std::size_t count, std::size_t grain_size) const
 {
     if (count == 0 || threads_ < 2) return count == 0 ? 0 : 1;
-    constexpr int ranges_per_thread = 4; // several, so other threads can take ranges of a slow one
+    constexpr int ranges_per_thread = 4; // several, so that fast threads can take more ranges
     const auto most =
         static_cast<std::size_t>(ranges_per_thread) * static_cast<std::size_t>(threads_);
     return static_cast<int>(std::clamp<std::size_t>(count / grain_size, 1, most));
@@ -123,9 +123,9 @@ ThreadPool::Workers::~Workers()
 
 void ThreadPool::Workers::run(int workers, int tasks, const void* what, Call call)
 {
-    // While the members below change, no task can be taken. A worker may still come late from the
-    // previous call. It finds no task left, since `most_tasks` tasks count as taken, or its
-    // compare-and-exchange fails because `work` has changed.
+    // No thread can take a task while the members below change. A worker may still be in `do_tasks`
+    // from the previous call. This worker finds no task left, since `most_tasks` tasks count as
+    // taken, or its compare-and-exchange fails because `work` has changed.
     const std::uint32_t work = taken_.load().work;
     taken_.store({work + 1, most_tasks, 0});
     what_.store(what);

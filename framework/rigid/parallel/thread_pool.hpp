@@ -10,8 +10,8 @@ namespace rigor {
 
 /// The calling thread and worker threads that help it. The workers start with the first work that
 /// is shared, wait for more work, and end with the pool. The result of a task does not depend on
-/// the thread that does it, as long as no task writes what another task reads or writes. A copy of
-/// a pool has workers of its own, since a pool works for one caller at a time.
+/// the thread that does the task, as long as no task writes what another task reads or writes. A
+/// copy of a pool has workers of its own, since a pool works for one caller at a time.
 class ThreadPool {
 public:
     /// @param threads  number of threads, including the calling thread; below 2 the calling thread
@@ -39,10 +39,10 @@ public:
 
     /// Calls work(first, last) for ranges that cover [0, count). Each range has at least
     /// `grain_size` items; if there are fewer items, there is one range. With a larger grain size,
-    /// handing out the ranges takes less time; with a smaller one, threads can share a smaller
-    /// amount of work. So cheap items need a large grain size. The values in the callers were
-    /// chosen by trial; no result depends on them, and `bench pile` shows what a second thread
-    /// gains.
+    /// the distribution of the ranges takes less time; with a smaller one, threads can share a
+    /// smaller amount of work. So cheap items need a large grain size. The grain sizes of all
+    /// callers were chosen by trial; no result depends on them. `bench pile` shows how much time a
+    /// second thread saves.
     template <class Work>
     void for_each_range(std::size_t count, std::size_t grain_size, const Work& work)
     {
@@ -68,8 +68,8 @@ public:
     }
 
     /// Calls work(first, last) as `for_each_range` does.
-    /// @return what the calls returned, in the order of the ranges. If the results are lists,
-    ///         joining them in this order gives the same list for any number of threads.
+    /// @return the results of the calls, in the order of the ranges. If the results are lists,
+    ///         their concatenation in this order is the same for any number of threads.
     template <class Work>
     auto collect_ranges(std::size_t count, std::size_t grain_size, const Work& work)
         -> std::vector<decltype(work(count, count))>
@@ -96,13 +96,13 @@ public:
         });
     }
 
-    /// The number of ranges that `for_each_range` makes.
+    /// The number of ranges that `for_each_range` makes; 0 if `count` is 0.
     int range_count(std::size_t count, std::size_t grain_size) const;
 
     struct Range {
         std::size_t first = 0, last = 0;
     };
-    /// Range k if [0, count) is divided into `ranges` ranges, whose lengths differ by at most one.
+    /// Range k of [0, count), divided into `ranges` ranges whose lengths differ by at most one.
     static Range range(std::size_t count, int ranges, int k);
 
 private:

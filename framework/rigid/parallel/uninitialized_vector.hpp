@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vectors whose new elements are not initialised, since several threads write them afterwards, and
-// the concatenation of the lists that several threads make.
+// Vectors whose new elements are not initialized, since several threads write them afterwards, and
+// the concatenation of lists that several threads make.
 #pragma once
 
 #include "rigid/parallel/thread_pool.hpp"
