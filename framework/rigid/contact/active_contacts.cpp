@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Selects the contacts of an island at which an impulse can change the relative velocity, and sets
-// their target speeds. Several threads visit ranges of pairs. The list of each range is joined to
-// the others in the order of the pairs.
+// their target speeds. Several threads visit ranges of pairs. The lists of all ranges are joined in
+// the order of the pairs.
 #include "rigid/contact/active_contacts.hpp"
 
 #include "rigid/contact/position_correction.hpp"
@@ -11,14 +11,15 @@ namespace rigor {
 namespace {
 
 // A contact of a pile counts as closed if its gap is at most this fraction of the contact's radius
-// (`ContactConstraint::radius`): as much as the overlap that `position_corrections` leaves alone.
-// Where two faces rest on each other, the gaps at their corners differ by micrometers. If each
-// contact had to close its own gap in this step, no motion would suit all of them. The sweeps would
-// pass the load from corner to corner without end, and the pile would creep and never fall asleep.
+// (`ContactConstraint::radius`). An overlap of the same size is left uncorrected by
+// `position_corrections`. Where two faces rest on each other, the gaps at their corners differ by
+// micrometers. If each contact had to close its own gap in this step, no motion would satisfy all
+// of them. The sweeps would move the load from corner to corner without end, and the pile would
+// creep and never fall asleep.
 constexpr double closed_gap = 2 * resting_overlap;
 
-// The least velocity v·n that the contact must have after the contact stage [m/s], if it has no
-// `passes_by`. Across a gap, the bodies may approach until they touch at the end of the step.
+// The least v·n that the contact must have after the contact stage, without the part by `passes_by`
+// [m/s]. Across a gap, the bodies may approach until they touch at the end of the step.
 double target_speed_of(const ContactProblem& problem, const ContactConstraint& c, bool is_in_pile)
 {
     if (c.gap <= 0) return correction_speed(problem, c);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Divides a large island into blocks for several threads. The code first sorts the moving bodies
-// into upright slabs along the island's longest horizontal extent. Then it groups the pairs by the
-// slabs of their bodies: within one slab, between two neighbouring slabs, or farther apart. Blocks
+// into vertical slabs along the island's longest horizontal extent. Then it groups the pairs by the
+// slabs of their bodies: within one slab, between two neighboring slabs, or farther apart. Blocks
 // that share no moving body get the same color (graph coloring) and can be swept at the same time.
 #include "rigid/contact/blocks.hpp"
 
@@ -15,23 +15,23 @@ namespace rigor {
 namespace {
 
 // A large island is divided into 3 or 7 slabs with the same number of bodies, and one slab at each
-// end with half of that number. Together the two end slabs count as one slab, so two or four
-// threads get equal shares of the bodies. There are 4 or 8 borders between slabs. After the slabs,
-// threads share the pairs across every second border, then those across the remaining ones, so they
-// get equal numbers of borders too.
+// end with half of that number. If the two end slabs count as one, there are 4 or 8 slabs, so two
+// or four threads get equal shares of the bodies. There are 4 or 8 borders between slabs. After the
+// slabs, the threads share the pairs across every second border, then those across the remaining
+// borders. So they get equal numbers of borders too.
 //
-// The least number of bodies in a slab, if the two end slabs count as one. Smaller slabs would let
-// threads share smaller islands, but more pairs would lie between two slabs. Chosen by trial;
-// `bench pile` shows what a second thread gains.
+// The least number of bodies in a slab, where the two end slabs count as one. Smaller slabs would
+// let threads share smaller islands, but more pairs would lie between two slabs. Chosen by trial;
+// `bench pile` shows how much time a second thread saves.
 constexpr std::size_t bodies_of_a_slab = 48;
-// The largest number of slabs, divided by four, where the two end slabs count as one. Eight slabs
-// are enough for four threads; with more slabs, more pairs would lie between two slabs.
+// A quarter of the largest number of slabs, where the two end slabs count as one. Eight slabs are
+// enough for four threads; with more slabs, more pairs would lie between two slabs.
 constexpr int most_fours = 2;
 
 // The slab of each body of an island. The slabs lie side by side along the longest horizontal
 // extent of the island. All have the same number of bodies, except the first and the last slab,
-// which have half that number. `fours` is the number of slabs, divided by four, if these two count
-// as one slab.
+// which have half that number. `fours` is a quarter of the number of slabs, where the first and the
+// last slab count as one.
 class Slabs {
 public:
     Slabs(const ContactProblem& problem, std::span<const int> bodies, int fours)
@@ -46,7 +46,7 @@ public:
         divide(0, halves_);
     }
 
-    // The slab of a body of the island, counted from 0; -1 if the body does not move.
+    // The index of the slab in which a body of the island lies; -1 for a static body.
     int of(int body) const { return slab_of_[body]; }
 
 private:
@@ -77,8 +77,8 @@ private:
         return axis;
     }
 
-    // Sorts the bodies into the half slabs [first, last). Half slabs 2i - 1 and 2i make slab i; the
-    // first and the last slab have only one half.
+    // Sorts the bodies into the half slabs [first, last). The half slabs 2i - 1 and 2i form slab i;
+    // the first and the last slab consist of one half only.
     void divide(int first, int last)
     {
         const auto at = [&](int half) {
@@ -112,9 +112,9 @@ std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island
     island.colors = {{0, 1}};
     if (fours == 0) return {};
 
-    // The order of the blocks: first a block for each slab, with the pairs whose moving bodies lie
-    // in it; then a block for each two slabs 2i and 2i + 1, with the pairs between them; then the
-    // same for slabs 2i + 1 and 2i + 2; and last one block with all other pairs.
+    // The order of the blocks: first one block for each slab, with the pairs whose moving bodies
+    // lie in this slab. Then come the blocks of the pairs between slabs 2i and 2i + 1, then those
+    // of the pairs between slabs 2i + 1 and 2i + 2. The last block holds all other pairs.
     const Slabs slabs(problem, island.bodies, fours);
     const int count = 4 * fours + 1, even = count, odd = even + count / 2, far = odd + count / 2;
     const auto block_of = [&](const ContactPair& pair) {

@@ -6,12 +6,13 @@
 
 namespace rigor {
 
-/// Splits an island of at least 192 bodies into blocks; a smaller one gets a single block. The
-/// bodies are divided into upright slabs; a block holds the pairs within a slab or between two
-/// neighbouring slabs. The last block holds the pairs of slabs that are farther apart. Blocks of
-/// the same color share no moving body (graph coloring). Within a block the pairs keep their order.
+/// Splits an island of at least 192 bodies into blocks; a smaller island gets a single block. The
+/// bodies are divided into vertical slabs. A block holds the pairs whose bodies lie in one slab, or
+/// the pairs whose bodies lie in two neighboring slabs. The last block holds the pairs whose bodies
+/// lie in slabs farther apart. Blocks of the same color share no moving body (graph coloring).
+/// Within a block the pairs keep their order.
 ///
-/// @return the former list `island.pairs` if the island was split, otherwise an empty list
+/// @return the old list `island.pairs` if the island was split, otherwise an empty list
 std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island& island);
 
 /// Calls work(k) for each block k, one color after the other. Several threads work on different

@@ -15,25 +15,26 @@ namespace rigor {
 
 namespace {
 
-// The largest number of sweeps over the pairs of an island, and of bounces of one pair in a sweep.
-// With larger numbers, an impact would pass through more bodies with restitution, but the stage
-// would take more time. Contacts that still approach are left to the contact stage.
+// The largest number of sweeps over the pairs of an island, and the largest number of bounces of
+// one pair in a sweep. With larger numbers, an impact would pass through more bodies with
+// restitution, but the stage would take more time. Contacts that still approach are left to the
+// contact stage.
 constexpr int most_sweeps = 10;
 constexpr int most_rounds = 4;
 // Two points are averaged if the smaller of their depths is at least this fraction of the larger
-// one. With a larger value, a box that is hardly tilted would bounce on one corner; with a smaller
-// one, a tilted box would bounce as if it were level.
+// one. With a larger value, a box that is tilted very little would bounce on one corner. With a
+// smaller value, a clearly tilted box would bounce as if it were level.
 constexpr double equally_deep = 0.9;
 constexpr double same_normal = 1e-9; // normals n, n' count as equal if 1 - n·n' is smaller
 // At the front of a rolling wheel, rotation moves a point towards the ground (`turning_speed`, a
 // part of v·n), but the point does not reach the ground in this step. `only_turns` leaves out such
-// a contact only if the rest of v·n, v·n - turning_speed, is no approach or one slower than this
-// share of |turning_speed|. The share is not 0, because `turning_speed` is exact only to first
-// order in the rotation during the step.
+// a contact only if the rest of v·n, v·n - turning_speed, is above -negligible_share
+// |turning_speed|: the bodies separate, or they approach more slowly than this. The share is not 0,
+// because `turning_speed` is exact only to first order in the rotation during the step.
 constexpr double negligible_share = 0.1;
-// If v·n - turning_speed is an approach slower than half this share of |turning_speed|,
-// `only_turns` counts it as zero. This limit is far above the rounding error of a speed and far
-// below any speed that matters.
+// `only_turns` counts v·n - turning_speed as zero if it is an approach slower than half this share
+// of |turning_speed|. This limit is far above the rounding error of a speed and far below any speed
+// that matters.
 constexpr double rounding_share = negligible_share * 1e-9;
 
 // The points of a pair at which a collision may happen now.
@@ -43,12 +44,14 @@ struct Candidates {
     bool any_approaches = false; // whether v·n < 0 at one of the points
 };
 
-// Whether a contact approaches only by a rotation that does not close it, as at the front of a
-// rolling wheel. Such a contact is left to the contact stage. `others` is v·n without this
-// rotation. All of these have to hold:
+// Whether a contact approaches only by a rotation that does not close its gap, as at the front of a
+// rolling wheel. Such a contact is left to the contact stage. `others` is v·n without the part by
+// this rotation. All of these conditions have to hold:
 // 1. Rotation moves the point towards the other body.
-// 2. `others` is no approach faster than `negligible_share` of |turning_speed|.
-// 3. A bounce with the speed `others` would end within this step, 2 others ≥ force_speed (see
+// 2. `others` is above -negligible_share |turning_speed|: no approach, or a slow one.
+// 3. After a bounce with the speed `others`, the forces would close the contact again within this
+// step, 2 others ≥ force_speed (see `is_over_in_the_step` in `collect`). This is so where gravity
+// alone causes `others`. Or `others` is only a rounding error (`rounding_share`).
 //    `is_over_in_the_step` in `collect`), as where gravity alone causes `others`. Or `others` is
 //    only a rounding error (`rounding_share`).
 bool only_turns(const ContactConstraint& c, double v_n)
@@ -71,12 +74,13 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
         const double v_n = v.dot(c.normal);
         const double depth = -problem.predicted_gap(c, v_n + c.force_speed);
         if (!(depth > 0)) continue;
-        // After a bounce the contact opens with at most -v_n against the acceleration
-        // force_speed/h, so it closes again after at most 2 v_n/force_speed steps.
+        // After a bounce the contact opens with a speed of at most -v_n, while the forces
+        // accelerate it by force_speed/h (h: time step). So it closes again after at most 2
+        // v_n/force_speed time steps.
         const bool is_over_in_the_step = v_n < 0 && 2 * v_n > c.force_speed;
         if (is_over_in_the_step) continue;
         if (only_turns(c, v_n)) continue;
-        // At a point that has bounced with ε = 0, only a rounding error of the speed is left.
+        // At a point that has bounced with ε = 0, v_n is only a rounding error. Without this test,
         // `deepest_approaching_point` could choose this point again and again, and the points of
         // the pair that really hit would never bounce.
         if (v_n < 0 && -v_n <= problem.rounding_speed(c)) continue;
@@ -86,7 +90,7 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
     }
 }
 
-// The index that `deepest_approaching_point` chose. Throws std::out_of_range if it is not valid.
+// The index that `deepest_approaching_point` returned. Throws std::out_of_range if it is not valid.
 int checked(int index, std::size_t size)
 {
     if (index < 0 || static_cast<std::size_t>(index) >= size)
@@ -96,8 +100,8 @@ int checked(int index, std::size_t size)
 }
 
 // The impulse j, scaled down if it would increase the energy, ΔE = j·v + ½ jᵀKj > 0. With
-// restitution and friction together, Newton's law of restitution may do so (Kane and Levinson 1985,
-// "Dynamics: theory and applications").
+// restitution and friction together, Newton's law of restitution may increase the energy (Kane and
+// Levinson 1985, "Dynamics: theory and applications").
 Vector3d without_energy_gain(const Matrix3d& K, const Vector3d& v, const Vector3d& j)
 {
     const double work = j.dot(v), stored = j.dot(optimised::product(K, j)) / 2;

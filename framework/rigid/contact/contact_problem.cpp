@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Computes quantities that several stages of contact need. The quantities of islands come first,
-// then the velocities and impulse matrices of contacts, then the velocities of driven bodies, and
-// last the change of the velocities by an impulse.
+// Computes quantities that several stages of contact need: first those of islands, then the
+// velocities and impulse matrices of contacts, then the velocities of driven bodies. Last comes the
+// change of the velocities by an impulse.
 #include "rigid/contact/contact_problem.hpp"
 
 #include "rigid/bodies/height_order.hpp"
@@ -29,11 +29,11 @@ double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
     return (sum + std::sqrt(std::max(0.0, 2 * squares - sum * sum))) / 2;
 }
 
-// What touches a driven body in an island: the mean velocity of the touching bodies, and the mean
-// normal of their contacts. A body with several contacts counts once for each of them.
+// The bodies of an island that touch a driven body: their mean velocity, and the mean normal of
+// their contacts. A body with several contacts counts once for each of its contacts.
 struct Touching {
     Vector3d velocity = Vector3d::Zero(); // [m/s]
-    Vector3d normal = Vector3d::Zero();   // unit, away from the driven body; or zero: no contact
+    Vector3d normal = Vector3d::Zero();   // unit, away from the driven body; or zero: no normal
 };
 
 Touching touching(const ContactProblem& problem, const Island& island, int driven)
@@ -66,13 +66,12 @@ std::size_t contact_count(std::span<const ContactPair> pairs)
 
 bool is_pile(const Island& island)
 {
-    // A stack has about one pair of touching bodies for each body, a pile has more. An island of n
-    // bodies is a pile if it has more than `pairs_of_a_body` n + `more_pairs` such pairs. But an
-    // island of at most `few_bodies` bodies never counts as a pile, and one of more than
-    // `many_bodies` always does, because Newton's method would be too expensive. The values were
+    // A stack has about one pair of touching bodies for each body; a pile has more. An island of n
+    // bodies is a pile if it has more than `pairs_of_a_body` n + `more_pairs` such pairs. An island
+    // of at most `few_bodies` bodies never counts as a pile. An island of more than `many_bodies`
+    // bodies always does, because Newton's method would be too expensive for it. The values were
     // chosen by trial: tests/stress has stacks, which must not count as piles, and `bench pile` has
-    // a pile. With 1, and also with 3, instead of 1.25 pairs for each body, a test of
-    // tests/classics fails.
+    // a pile. With 1 or with 3 instead of 1.25 pairs for each body, a test of tests/classics fails.
     constexpr std::size_t many_bodies = 256;
     constexpr double pairs_of_a_body = 1.25, more_pairs = 2;
     const std::size_t bodies = island.bodies.size();

@@ -15,16 +15,17 @@
 namespace rigor {
 
 /// A contact while a step is being solved. Its point, normal and gap belong to the poses of the
-/// bodies at the start of the step, except in cases 3 and 4 below. Both of its impulses, j and -j,
-/// act at the same point, so momentum and angular momentum are conserved up to rounding.
+/// bodies at the start of the step, except in cases 3 and 4 below. Its two impulses, j on body 1
+/// and -j on body 2, act at the same point, so momentum and angular momentum are conserved up to
+/// rounding.
 struct ContactConstraint : Contact {
     double restitution = 0, friction = 0;
-    double radius = 0; // radius of the body that can move, or of the smaller one if both can [m]
+    double radius = 0; // radius of the body that can move; if both can, the smaller radius [m]
     // `turning_speed` is the part of v·n by which rotation moves the point towards the other body,
-    // ≤ 0 [m/s]. It is set only if this rotation does not close the gap (the front of a rolling
-    // wheel) or if the gap already includes it (case 3). `predicted_gap` adds `passes_by` [m] to
-    // gap + h v·n, the gap that v·n predicts for the end of the step (h: time step).
-    // `passes_by` is not 0 in these cases:
+    // ≤ 0 [m/s]. It is 0 unless this rotation does not close the gap (the front of a rolling wheel)
+    // or the gap already includes the rotation (case 3).
+    // `predicted_gap` adds `passes_by` [m] to gap + h v·n, the gap that v·n predicts for the end of
+    // the step (h: time step). `passes_by` is 0 except in these cases:
     // 1. The front of a rolling wheel moves down, but also forward, so that it does not reach the
     //    ground. `passes_by` is the depth that the rotation alone would reach on a straight line.
     // 2. Two balls fly past each other. `passes_by` is by how much their gap at the end of the step
@@ -36,8 +37,8 @@ struct ContactConstraint : Contact {
     //    passes_by is h times the mean of v·n over the step, where v is the velocity at its end.
     double turning_speed = 0, passes_by = 0;
     double force_speed = 0;        // change of v·n by the forces in this step [m/s]
-    double free_speed = 0;         // v·n after the forces without any impulse [m/s]
-    double target_speed = 0;       // least v·n that the contact stage has to reach [m/s]
+    double free_speed = 0;         // v·n after the forces, if there were no impulses [m/s]
+    double target_speed = 0;       // least v·n allowed after the contact stage [m/s]
     Matrix3d K = Matrix3d::Zero(); // K₁ + K₂, impulse matrix of both bodies [1/kg]
     double normal_K = 0;           // nᵀKn [1/kg]
     double tangential_K = 0;       // λ, the larger eigenvalue of K in the tangent plane [1/kg]
@@ -48,11 +49,11 @@ struct ContactConstraint : Contact {
     Vector3d initial_impulse = Vector3d::Zero();
 };
 
-/// A gap up to this fraction of a contact's radius counts as touching, where poses are exact up to
-/// rounding. It is far above the rounding error of a position near the origin.
+/// A gap of at most this fraction of a contact's radius counts as closed, if the poses are exact up
+/// to rounding. The value is far above the rounding error of a position near the origin.
 inline constexpr double touching_gap = 1e-10;
-/// The same limit as `touching_gap`, for bodies whose poses come from an iteration that may have
-/// ended before it converged: the solver of the last step, or the search for the time of an impact.
+/// The limit that replaces `touching_gap` for bodies whose poses come from an iteration that may
+/// have ended before it converged: the solver of the last step, or the search for a time of impact.
 inline constexpr double nearly_touching_gap = 1e-6;
 
 /// The contacts of one pair of bodies: those with the indices [first, last) in
@@ -68,12 +69,12 @@ struct IndexRange {
     int first = 0, last = 0;
 };
 
-/// Bodies that are not static and that contacts connect, directly or through other such bodies. If
-/// the optimisation `islands` is off, all bodies that have contacts and are not static make one
-/// island.
+/// Bodies that are not static and that are connected by contacts, directly or through other such
+/// bodies. If the optimization `islands` is off, all bodies that have contacts and are not static
+/// form one island.
 struct Island {
     std::vector<int> bodies;
-    // Sorted by blocks, and within a block by the height of each pair's lowest contact.
+    // The pairs are sorted by block, and within a block by the height of their lowest contact.
     std::vector<ContactPair> pairs;
     // A large island is split into blocks for several threads (`split_into_blocks` in blocks.hpp).
     // A smaller island has a single block. Before `split_into_blocks` there are no blocks.
@@ -83,20 +84,22 @@ struct Island {
 
 std::size_t contact_count(std::span<const ContactPair> pairs);
 
-/// An island of up to this many bodies is never a pile (`is_pile`): Newton's method, which does not
-/// solve piles, is cheap for it. The method has 6 unknowns for each body, so at most 48 here.
+/// An island of at most this many bodies is never a pile (`is_pile`), because Newton's method,
+/// which is not used for piles, is cheap for such an island. The method has 6 unknowns for each
+/// body, so at most 48 here.
 inline constexpr std::size_t few_bodies = 8;
 
-/// Whether the island is a pile rather than a stack: it has more than `few_bodies` bodies, and many
-/// pairs of touching bodies or more than 256 bodies.
+/// Whether the island is a pile rather than a stack: it has more than `few_bodies` bodies, and
+/// either more than 256 bodies or many pairs of touching bodies for their number.
 bool is_pile(const Island& island);
 
 /// A driven body that has contacts: its mean velocity over the step, and its velocity at the end.
 ///
-/// In the contact stage (`ContactProblem::set_drives`), a driven body has its mean velocity along
-/// the normal of its contacts, so that other bodies do not end up inside it. Along the surface its
-/// points move with their velocity at the end of the step. With the velocity at the start, a body
-/// on a turntable would move along tangents and creep outwards.
+/// In the contact stage (`ContactProblem::set_drives`), a driven body moves along the normal of its
+/// contacts with its mean velocity, so that other bodies do not end up inside it. Along the
+/// surface, its points move with their velocity at the end of the step. If they moved with their
+/// velocity at the start of the step, a body on a turntable would move along tangents and drift
+/// outwards.
 struct DrivenBody {
     int body = 0;
     DriveVelocity mean, last;
@@ -122,10 +125,11 @@ struct ContactProblem {
     Vector3d up() const;
 
     /// The motions relative to which the speeds of an island are measured: those of the static and
-    /// driven bodies that it touches, in the order of their indices. All bodies that never move
-    /// count as one. If the island touches no such body, the only motion in the list is that of its
-    /// center of mass. Speeds in the world are not used, because a scene that moves as a whole at a
-    /// constant velocity has to give the same result as at rest (Galilei 1632).
+    /// driven bodies that the island touches, in the order of their indices. All static bodies
+    /// without a drive count as one. If the island touches no static or driven body, the only
+    /// motion in the list is that of the island's center of mass. Speeds in the world are not used,
+    /// because a scene that moves as a whole at a constant velocity has to give the same result as
+    /// at rest (Galilei 1632).
     std::vector<Body> grounds_of(const Island& island) const;
     /// Copies of the bodies of an island, in the order of `island.bodies`.
     std::vector<Body> bodies_of(const Island& island) const;
@@ -140,13 +144,15 @@ struct ContactProblem {
     {
         return velocity_between(bodies, contact, x);
     }
-    /// v₁ - v₂ at a point, with the list `states` in place of the list `bodies` [m/s].
+    /// v₁ - v₂ at a point [m/s], with the bodies of the list `states` instead of those of the list
+    /// `bodies`.
     Vector3d velocity_between(std::span<const Body> states, const Contact& contact,
                               const Vector3d& x) const;
-    /// The size of rounding errors in v₁ - v₂ [m/s]. A smaller speed counts as zero.
+    /// A bound of the rounding error of v₁ - v₂ [m/s]. A smaller speed counts as zero.
     double rounding_speed(const ContactConstraint& contact) const;
-    /// Whether the contact stage gave a contact an impulse. An impulse that changes a velocity only
-    /// by a rounding error does not count, as between bodies that fall together after a hit.
+    /// Whether the contact stage gave a contact an impulse. An impulse that changes velocities only
+    /// by a rounding error does not count. Such impulses arise for example between bodies that fly
+    /// side by side after a collision.
     bool holds(const ContactConstraint& contact) const;
     /// K₁ + K₂ at a point [1/kg].
     Matrix3d impulse_matrix_at(const ContactConstraint& contact, const Vector3d& x) const;
@@ -154,17 +160,17 @@ struct ContactProblem {
     void set_impulse_matrix(ContactConstraint& contact) const;
     /// Sets the velocities of the driven bodies that an island touches, for the contact stage of
     /// this island. Along the mean normal of its contacts, a driven body keeps its mean velocity.
-    /// Along the surface it gets V_d + h ω × (V - V_d), where V_d is its velocity at the end of
-    /// the step, ω its mean angular velocity, h the time step, and V the mean velocity of the
-    /// bodies that touch it. The reason: in the step, the contact points move over its surface by
-    /// h (V - V_d), so the velocity of the surface at these points changes by h ω × (V - V_d).
+    /// Along the surface it gets V_d + h ω × (V - V_d), where V_d is its velocity at the end of the
+    /// step, ω its mean angular velocity, h the time step, and V the mean velocity of the bodies
+    /// that touch it. The reason: in the step, the contact points move over its surface by h (V -
+    /// V_d), so the velocity of the surface at these points changes by h ω × (V - V_d).
     void set_drives(const Island& island);
     /// Gives all driven bodies their mean velocities again.
     void reset_drives();
     /// Applies the impulse j at x to body 1 and -j at x to body 2 [N s].
     void apply(const ContactConstraint& contact, const Vector3d& x, const Vector3d& j);
-    /// Applies j at x to one body, which is a body of this problem or a copy of one. A static body
-    /// stays as it is.
+    /// Applies the impulse j at the point x to one body, which is a body of this problem or a copy
+    /// of such a body. A static body stays as it is.
     void push(Body& body, const Vector3d& x, const Vector3d& j) const;
 };
 

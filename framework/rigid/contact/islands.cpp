@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Islands: groups of bodies connected by contacts, found by union–find over the pairs of moving
-// bodies. The contacts are first grouped into pairs of bodies, and the pairs are sorted by height.
-// Then each pair is added to the island of its moving body or bodies. Islands in which nothing
-// would penetrate in this step are left out.
+// Finds islands, which are groups of bodies connected by contacts, by union–find over the pairs of
+// moving bodies. The contacts are first grouped into pairs of bodies, and the pairs are sorted by
+// height. Then each pair is added to the island of its moving body or bodies. Islands in which no
+// bodies would penetrate in this step are left out.
 #include "rigid/contact/islands.hpp"
 
 #include "rigid/bodies/height_order.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A first estimate of the impulses of an island that rests on static bodies. The code finds for
-// each contact which of its bodies rests on the other. Then it visits the bodies from the highest
-// to the lowest. Each body passes its own weight and the load on it to the contacts below it, in
-// equal parts.
+// A first estimate of the impulses of an island that rests on static bodies. For each contact that
+// carries weight, the code finds which of its bodies rests on the other. Then it visits the bodies
+// from the highest to the lowest. Each body passes its own weight and the load on it to the
+// contacts below it, in equal parts.
 #include "rigid/contact/load_estimate.hpp"
 
 #include <algorithm>

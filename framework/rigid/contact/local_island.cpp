@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Converts an island to the input of the formulas of topic `contact`. First it numbers the bodies
-// in contact from 0, then it copies the bodies and the contacts. The copied depths are rounded, so
-// that depths that differ only by rounding count as equal. The result of a formula is checked for
-// its size and then stored in the problem.
+// Converts an island to the input of the formulas of topic `contact`. The bodies that have active
+// contacts are numbered from 0, then the bodies and the contacts are copied. The copied depths are
+// rounded, so that depths that differ only by rounding become equal. The result of a formula is
+// checked for its size and then stored in the problem.
 #include "rigid/contact/local_island.hpp"
 
 #include "rigid/bodies/height_order.hpp"

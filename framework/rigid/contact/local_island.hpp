@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// An island as input for the formulas of topic `contact`: a list of bodies, and the contacts
-/// between them. The contacts refer to the bodies by their indices in this list.
+/// An island in the form that the formulas of topic `contact` take: a list of bodies, and the
+/// contacts between them. The contacts refer to the bodies by their indices in this list.
 struct LocalIsland {
     std::vector<int> indices; // for each of `bodies`, its index in `ContactProblem::bodies`
     std::vector<Body> bodies; // all bodies that an active contact touches, static ones too

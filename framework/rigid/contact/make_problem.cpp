@@ -31,9 +31,9 @@ Body static_in_world(const RigidBody& rigid, double time, double time_step)
     return body;
 }
 
-// Copies the bodies that have contacts: as they are at the start of the step to `problem.bodies`,
-// and with the velocities that the forces would give them in this step to `after_forces`. Also
-// lists the driven ones in `problem.driven`.
+// Copies the bodies that have contacts twice. `problem.bodies` gets their state at the start of the
+// step. `after_forces` gets the same poses with the velocities that the forces would give the
+// bodies in this step. Also lists the driven bodies in `problem.driven`.
 void take_bodies(const World& world, std::span<const RigidState> flown,
                  std::span<const Contact> contacts, ContactProblem& problem,
                  UninitializedVector<Body>& after_forces)
@@ -76,8 +76,8 @@ Vector3d bend_of_path(const Vector3d& turn, const Vector3d& r)
     return (std::sin(angle) / angle - 1) * line + 2 * half * half * turn.cross(line);
 }
 
-// Whether a body can move and all its shapes have a curved side or rim, on which it may roll.
-// Spheres do not count, because rotation of a ball about its center moves none of its contacts
+// Whether a body can move and all its shapes have a curved side or rim, on which the body may roll.
+// Spheres do not count, because the rotation of a ball about its center moves none of its contacts
 // along the normal.
 bool rolls(const RigidBody& body)
 {
@@ -101,9 +101,9 @@ double sum_of_radii(const RigidBody& body1, const RigidBody& body2)
 }
 
 // Sets `turning_speed` to the part of v·n by which the rotation of rolling bodies moves the point
-// towards the other body. The solver moves the point along a straight line. On this line it may
-// reach the other body, although its real path, an arc of a circle, does not; then `passes_by` is
-// set too. If the point also reaches the other body on the arc, both values stay 0.
+// towards the other body. The solver moves the point along a straight line. On this line the point
+// may reach the other body, although its real path, an arc of a circle, does not; then `passes_by`
+// is set too. If the point also reaches the other body on the arc, both values stay 0.
 void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, ContactConstraint& c)
 {
     // The real path of a point bends away from the straight line. The bend is computed for a fixed
@@ -139,8 +139,8 @@ struct PairValues {
     double margin = 0, radius = 0;
     bool rolls1 = false, rolls2 = false;
     double both_radii = 0; // if both bodies are balls: the sum of their radii, otherwise 0 [m]
-    // For each of the two bodies, whether the gaps belong to its orientation at the end of free
-    // flight.
+    // For each of the two bodies, whether the gaps belong to the orientation of this body at the
+    // end of free flight (`ContactCandidates::turned`).
     bool turned1 = false, turned2 = false;
     Material material;
 
@@ -150,9 +150,9 @@ struct PairValues {
     }
 };
 
-// If two balls are apart and only pass by each other in free flight, sets `passes_by`. They would
-// seem to meet if the distance of their centers went on falling as fast as at the start of the
-// step. But in a straight flight it falls more and more slowly.
+// Sets `passes_by` if two balls are apart and only pass by each other in free flight. If the
+// distance of their centers went on falling as fast as at the start of the step, the balls would
+// meet. But in a straight flight the distance falls more and more slowly.
 // @param displacement  of ball 1 relative to ball 2 in the step [m]
 void set_passing(const Vector3d& displacement, const PairValues& pair, ContactConstraint& c)
 {
@@ -193,8 +193,8 @@ struct Filter {
         return !candidates.turned.empty() && candidates.turned[body];
     }
 
-    // The part of v·n that comes from rotation, summed over those of the two bodies whose contacts
-    // belong to the orientation at the end of free flight. The gap already includes this rotation.
+    // The part of v·n that comes from the rotation of those of the two bodies whose contacts belong
+    // to the orientation at the end of free flight [m/s]. The gap already includes this rotation.
     double turning_speed(const Contact& contact, const PairValues& pair) const
     {
         const auto speed = [&](int i, bool turned) {
@@ -232,8 +232,8 @@ struct Filter {
         c.radius = pair.radius;
     }
 
-    // Those of `contacts` that may close in this step. If the contacts of a pair of bodies did not
-    // follow each other in `contacts`, the values of the pair would be computed more than once.
+    // The contacts of the list that may close in this step. The contacts of a pair of bodies should
+    // be neighbors in the list; otherwise the values of the pair are computed more than once.
     UninitializedVector<ContactConstraint> take(std::span<const Contact> contacts) const
     {
         UninitializedVector<ContactConstraint> taken;
@@ -258,8 +258,8 @@ void take_contacts(const Filter& filter, ContactProblem& problem)
 }
 
 // Finds the islands, while other threads find the impulses from which the sweeps start (warm
-// start). The methods `one_at_a_time` and `shock_propagation` have no such impulses, and no method
-// has them if the optimisation `warm_start` is off.
+// start). The methods `one_at_a_time` and `shock_propagation` use no such impulses. No method uses
+// them if the optimization `warm_start` is off.
 void find_islands(const World& world, const ContactCandidates& candidates, ContactProblem& problem)
 {
     const std::vector<ContactPair> pairs = pairs_of(problem.contacts);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Contacts resolved one point at a time, by the formulas of topic `contact` (Guendelman, Bridson
-// and Fedkiw 2003). First `resolve_contacts` runs. With shock propagation, each body then gets a
-// level, and the contacts are resolved level by level, while lower bodies keep their velocities.
+// Resolves contacts one at a time, by the formulas of topic `contact` (Guendelman, Bridson and
+// Fedkiw 2003). First `resolve_contacts` runs. With shock propagation, each body then gets a level,
+// and the contacts are resolved level by level, while the bodies of lower levels keep their
+// velocities.
 #include "rigid/contact/one_at_a_time.hpp"
 
 #include "formulas/contact.hpp"
@@ -18,15 +19,16 @@ namespace {
 // The number of iterations of `resolve_contacts`, and also of `shock_propagation`, as in the paper
 // (Guendelman, Bridson and Fedkiw 2003).
 constexpr int iterations = 10;
-// In one iteration, a light body passes on only a small part of the load of a heavy body. Before
-// shock propagation, `resolve_contacts` therefore runs again, from the same start, with `growth`
-// times as many iterations, until the fastest approach is at most `enough_share` of that at the
-// start. A run may visit at most `most_visits` contacts, counted in all its iterations. With ten
-// iterations alone, the plank of a seesaw passed on only half the weight of a heavy body.
+// In one iteration, a light body passes on only a small part of the load of a heavy body.
+// Therefore, before shock propagation, `resolve_contacts` runs again from the same start with
+// `growth` times as many iterations. This is repeated until the fastest approach is at most
+// `enough_share` of that at the start. In such a run, the number of iterations times the number of
+// contacts is at most `most_visits`. With ten iterations alone, the plank of a seesaw passed on
+// only half the weight of a heavy body.
 constexpr double enough_share = 0.02;
 constexpr int growth = 4, most_visits = 4000;
 
-// For each body, the bodies on which it rests: those whose contacts push it upwards.
+// For each body, the bodies on which it rests, because their contacts push it upwards.
 std::vector<std::vector<int>> supports(const ContactProblem& problem, const LocalIsland& local)
 {
     std::vector<std::vector<int>> rests_on(local.bodies.size());
@@ -38,8 +40,8 @@ std::vector<std::vector<int>> supports(const ContactProblem& problem, const Loca
     return rests_on;
 }
 
-// The largest difference by which v·n of a contact is below its `separation_speed`, at least 0
-// [m/s].
+// The largest amount by which v·n of a contact is below its `separation_speed`; 0 if there is no
+// such contact [m/s].
 double fastest_approach(const std::vector<Body>& bodies, const std::vector<BodyContact>& contacts)
 {
     double fastest = 0;

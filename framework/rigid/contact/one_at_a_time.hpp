@@ -6,7 +6,7 @@
 namespace rigor {
 
 /// Resolves the active contacts by the formula `resolve_contacts` in ten iterations. If `shock` is
-/// true, the formula may run again with more iterations, and the formulas `contact_levels` and
+/// true, this formula may run again with more iterations; then the formulas `contact_levels` and
 /// `shock_propagation` follow.
 ///
 /// @param active  indices in `problem.contacts`, at least one

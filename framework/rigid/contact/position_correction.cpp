@@ -20,13 +20,13 @@ namespace {
 
 // `corrected_fraction` is the share of the overlap above the slop that a step removes.
 // `correction_rate` is the highest speed of this correction, divided by the contact's radius [1/s].
-// Larger values remove penetration sooner, but piles jitter and bodies that overlap deeply jump
-// apart. A fifth is the usual share in engines (0.2 in Box2D, Bullet and ODE); the rate was chosen
-// by trial.
+// Larger values remove penetration sooner, but then piles jitter and bodies that overlap deeply
+// jump apart. A fifth is the usual share in engines (0.2 in Box2D, Bullet and ODE); the rate was
+// chosen by trial.
 constexpr double corrected_fraction = 0.2;
 constexpr double correction_rate = 1;
-// The slop: overlap that is left uncorrected, as a fraction of the contact's radius. In a stack it
-// is only as large as numerical errors; a pile would not come to rest without `pile_slop`.
+// The slop, which is the overlap that the correction leaves, divided by the contact's radius. In a
+// stack it is only as large as numerical errors; a pile would not come to rest without `pile_slop`.
 constexpr double stack_slop = 1e-6, pile_slop = resting_overlap;
 // The slop in worlds without gravity, also as a fraction of the radius. It is larger than the other
 // two because corrections add energy in such worlds.
@@ -40,7 +40,7 @@ constexpr int most_visits = 2000, fewest_sweeps = 4, most_sweeps = 20;
 using namespace optimised;
 
 // A contact in the position correction: its normal, the distance by which its bodies have to move
-// apart along the normal, and what is needed to compute the displacements by a correction.
+// apart along the normal, and the data from which a correction computes the displacements.
 struct CorrectionRow {
     int body1 = 0, body2 = 0;
     Vector3d n;
@@ -114,8 +114,8 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IndexRan
     return rows;
 }
 
-// Updates the correction of one contact while those of all other contacts stay as they are. `d`
-// holds the displacements of both bodies; they take the place of velocities.
+// Updates the correction of one contact, while the corrections of all other contacts stay as they
+// are. `d` holds the displacements of both bodies, in place of their velocities.
 [[gnu::always_inline]] inline void correct(CorrectionRow& row, TwoMotions& d)
 {
     const TwoVectors n = broadcast(row.n);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The contact stage of an island. Its active contacts are solved by the world's contact method.
-// In a world without gravity, the target speeds also correct penetration. Then the change of the
-// kinetic energy decides whether the result is kept; if not, the island is solved again without
-// this correction.
+// The contact stage of an island. The world's contact method solves the active contacts. In a world
+// without gravity, the target speeds also correct penetration. Then the change of the kinetic
+// energy decides whether the result is kept; if not, the island is solved again without this
+// correction.
 #include "rigid/contact/resting_contact.hpp"
 
 #include "rigid/contact/active_contacts.hpp"
@@ -63,10 +63,10 @@ void resolve(ContactProblem& problem, const Island& island)
                                       [&](int i) { return problem.contacts[i].target_speed > 0; });
     if (!corrects) return solve(problem, island, active);
 
-    // A target speed above 0 corrects penetration, but adds energy. The result is kept if the
-    // kinetic energy of the island does not grow, or if it grows by more than the energy that the
-    // bodies had in their motion relative to each other: then they hardly moved. Otherwise the
-    // island is solved again without the correction, which waits for a later step.
+    // A target speed above 0 corrects penetration, but adds energy. The result is kept in two
+    // cases. Either the kinetic energy of the island does not grow, or it grows by more than the
+    // energy of the bodies' motion relative to each other, so the bodies hardly moved. Otherwise
+    // the island is solved again without the correction, which waits for a later step.
     constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
     const std::vector<Body> bodies = problem.bodies_of(island);
     const Vector3d V = problem.grounds_of(island).front().velocity;

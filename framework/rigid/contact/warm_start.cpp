@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Warm start of the contacts by the impulses of the previous step. For each pair of bodies it
-// computes the distances between old and new contacts in world space, and matches the nearest ones
-// first. A new contact starts from the impulse of its old contact, projected onto the friction
-// cone of the new one.
+// Warm start of the contacts by the impulses of the previous step. For each pair of bodies, the
+// code computes the distances between old and new contacts in world space, and matches the nearest
+// ones first. A new contact starts from the impulse of its old contact, projected onto the friction
+// cone of the new contact.
 #include "rigid/contact/warm_start.hpp"
 
 #include "geometry/shapes/pose.hpp"
@@ -16,8 +16,8 @@ namespace rigor {
 namespace {
 
 // Largest distance between an old and a new contact that are matched, divided by the radius of the
-// new one (`ContactConstraint::radius`). A larger value would match different contacts, a smaller
-// one would lose the impulses of contacts that move over a surface.
+// new contact (`ContactConstraint::radius`). A larger value would match contacts that are not the
+// same; a smaller value would lose the impulses of contacts that move over a surface.
 constexpr double near_fraction = 0.1;
 
 template <class C> std::pair<int, int> bodies_of(const C& contact)
@@ -38,9 +38,9 @@ Vector3d projected_to_cone(const ContactConstraint& c, const Vector3d& impulse)
     return j_n * n + j_T;
 }
 
-// The warm contacts of the previous step, sorted by `body1`, then `body2`. The calls of
-// `between_bodies_of` have to ask for the pairs in the same order, because each call starts where
-// the previous call ended and never goes back.
+// The warm contacts of the previous step, sorted by `body1`, then `body2`. Calls of
+// `between_bodies_of` have to ask for the pairs in the same order, because each call searches only
+// from the place where the previous call ended.
 class WarmPairs {
 public:
     explicit WarmPairs(std::span<const WarmContact> all) : rest_(all) {}
@@ -74,7 +74,7 @@ struct Match {
 };
 
 // Gives the contacts of one pair of bodies their initial impulses. The nearest contacts are matched
-// first; otherwise a contact that carries no load could take the impulse of its neighbour.
+// first; otherwise a contact that carries no load could take the impulse of its neighbor.
 // @param matches  working memory, reused to save allocations; its old content is not used
 // @return the number of contacts that were matched
 std::uint64_t start_pair_warm(std::span<const WarmContact> before, const std::vector<Pose>& poses,
