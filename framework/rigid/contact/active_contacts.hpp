@@ -11,12 +11,11 @@ namespace rigor {
 ///
 /// Also sets the `target_speed` of each of these contacts. This is the least v·n that the contact
 /// must have after the contact stage (v: relative velocity, n: normal, h: time step):
-/// - With a gap, the target speed is -gap/h: the bodies touch at the end of the step, but not
-/// earlier.
+/// - With a gap, the target speed is -gap/h, so that the bodies do not touch before the end of the
+///   step.
 /// - Without a gap, the target speed is `correction_speed` (position_correction.hpp).
 /// - In a pile (`is_pile`), a gap of at most 2e-4 of the contact's radius counts as closed, and the
-/// target speed is 0. With the target speed -gap/h, the pile would never come to rest.
-///   target speed is 0. Otherwise the pile would never rest.
+///   target speed is 0. With the target speed -gap/h, the pile would never come to rest.
 ///
 /// From each of these values passes_by/h is subtracted, because the gap at the end of the step is
 /// larger by `passes_by` than v·n predicts (see `ContactConstraint`).

@@ -24,8 +24,7 @@ namespace rigor {
 /// increase it is scaled down. These bounces are left to the contact stage:
 /// - Those after which the forces would bring the bodies into contact again within the step.
 /// - Those of points that only rotation moves towards the other body, if this rotation does not
-/// close the gap in this step (the front of a rolling wheel).
-///   step (the front of a rolling wheel).
+///   close the gap in this step (the front of a rolling wheel).
 /// - With the contact method `simultaneous`, those with ε = 0.
 void process_collisions(ContactProblem& problem);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Projected Gauss–Seidel sweeps (Jean 1999; Erleben 2007) with the formula `collision_impulse`. For
-// each contact, a sweep first subtracts the effect of this contact's impulse from the velocity.
-// Then it computes the new impulse by the formula, and applies the change to both bodies.
+// each contact, a sweep first subtracts the effect of this contact's impulse from the relative
+// velocity. Then the formula gives the new impulse, and the change of the impulse is applied to
+// both bodies.
 #include "rigid/contact/solvers/collision_law_sweeps.hpp"
 
 #include "formulas/collision.hpp"

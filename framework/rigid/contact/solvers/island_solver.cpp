@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The solver of an island: accelerated projected Gauss–Seidel sweeps (Silcowitz-Hansen, Niebe and
-// Erleben 2010), and Newton's method where the sweeps do not converge. First the code derives the
-// tolerance from the island's size and speed, then it sweeps. If the sweeps have not converged,
-// Newton's method continues in the cases that the header lists, and a few more sweeps check its
-// result.
+// Erleben 2010), and Newton's method where the sweeps do not converge. First the code derives a
+// tolerance from the speeds and the size of the island, then it sweeps. If the sweeps have not
+// converged, Newton's method continues in the cases that the header lists, and a few more sweeps
+// check its result.
 #include "rigid/contact/solvers/island_solver.hpp"
 
 #include "rigid/contact/solvers/collision_law_sweeps.hpp"
@@ -21,33 +21,34 @@ namespace rigor {
 namespace {
 
 // Islands with at most this many contacts have the tolerance `to_rounding`, since their sweeps take
-// little time. Islands with at most `few_bodies` bodies have it too if Newton's method may follow.
+// little time. Islands with at most `few_bodies` bodies have this tolerance too if Newton's method
+// may follow the sweeps.
 constexpr int few_contacts = 16;
 
-// The sweeps of an island end at the latest after a limited amount of work, and the error that
-// remains is corrected in the next steps. A pile at rest gets more work; otherwise this error would
-// let the pile creep, and it would never fall asleep. The numbers were chosen by trial; `bench
-// pile` shows the run time and the overlap to which they lead.
+// The sweeps of an island end after a limited amount of work, and the next steps correct the error
+// that remains. A pile at rest gets more work; otherwise the remaining error would let the pile
+// creep, and it would never fall asleep. The numbers were chosen by trial; `bench pile` shows the
+// run time and the overlap that they cause.
 constexpr int most_visits = 4000; // contacts visited in all sweeps together
 constexpr int times_at_rest = 3;  // a pile at rest gets this many times the work
 constexpr int fewest_sweeps = 5, most_sweeps = 50;
 constexpr int last_sweeps = 20; // most sweeps after Newton's method, which check its result
 
 // The sweeps end when they change velocities by less than a fraction of the fastest approach speed.
-// `plan_for` chooses one of these fractions. Larger values save sweeps, but let piles creep. The
-// first value is a few hundred times the rounding error of a double; the other values were chosen
-// by trial, and `bench pile` shows their effect.
+// `plan_for` chooses one of the following fractions. Larger values save sweeps, but let piles
+// creep. The first value is a few hundred times the rounding error of a double; the other values
+// were chosen by trial, and `bench pile` shows their effect.
 constexpr double to_rounding = 1e-13, for_newton = 1e-8, for_piles_at_rest = 1e-4,
                  for_moving_piles = 1e-3;
-// The sweeps of a stack have ended far from the solution if its heaviest body has more than
-// `large_ratio` times the mass of its lightest one, and if further sweeps would still change a
-// velocity by more than the share `far_off` of the fastest approach. Newton's method then
+// The sweeps of a stack have ended far from the solution if two conditions hold. The heaviest body
+// has more than `large_ratio` times the mass of the lightest one, and further sweeps would still
+// change a velocity by more than the share `far_off` of the fastest approach. Newton's method then
 // continues. Both values were chosen by trial; tests/classics shows their effect where heavy bodies
 // fall on light ones.
 constexpr double large_ratio = 5, far_off = 1e-3;
 constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
 
-// The largest of value(contact) over the active contacts, at least 0.
+// The largest value(contact) of the active contacts, or 0 if all values are negative.
 template <class Value>
 double largest(const ContactProblem& problem, std::span<const int> active, const Value& value)
 {
@@ -92,8 +93,8 @@ double fastest(const ContactProblem& problem, const Island& island, std::span<co
     });
 }
 
-// The largest difference by which v·n of a contact is below its target speed [m/s]. The impulses
-// have to remove it.
+// The largest amount by which v·n of a contact is below its target speed [m/s]. The impulses have
+// to remove it.
 double fastest_approach(const ContactProblem& problem, std::span<const int> active)
 {
     return largest(problem, active, [&](const ContactConstraint& c) {
@@ -112,8 +113,9 @@ double mass_ratio(const ContactProblem& problem, const Island& island)
     return most / least;
 }
 
-// The sweeps of the island: by the engine's faster form of the reference's formulas, if it may be
-// used (`Settings::uses_optimised_formulas`), otherwise by the formula of the contact method.
+// The sweeps of the island. They use the engine's faster form of the reference's formulas, if it
+// may be used (`Settings::uses_optimised_formulas`); otherwise they call the formula of the contact
+// method.
 std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const Island& island,
                                   std::span<const int> active)
 {
@@ -127,14 +129,15 @@ std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const Island& island,
 // body in one step.
 bool is_at_rest(const ContactProblem& problem, double fastest)
 {
-    // Divided by |g| h. The forces of this step have already been applied, so gravity has given a
-    // body at rest the speed |g| h. The factor 2 allows for errors of earlier steps.
+    // A multiple of |g| h. The forces of this step have already been applied, so gravity has given
+    // a body at rest the speed |g| h. The factor 2 allows for errors of earlier steps.
     constexpr double speed_at_rest = 2;
     return fastest <= speed_at_rest * problem.settings.gravity.norm() * problem.time_step;
 }
 
-// Whether the island is at rest relative to a body that it stands on, such as the ground, a lift or
-// a belt. An island that touches no static or driven body flies, and is never at rest.
+// Whether the island is at rest relative to a static or driven body that it touches, such as the
+// ground, a lift or a belt. An island that touches no static or driven body is in free flight, and
+// never counts as at rest.
 // @param speed  the highest speed in world space, which is also the speed relative to a ground at
 //               rest
 bool rests(const ContactProblem& problem, const Island& island, std::span<const int> active,
@@ -159,8 +162,8 @@ std::vector<Vector3d> initial_impulses(const ContactProblem& problem, std::span<
     return impulses;
 }
 
-// Whether the impulses would add kinetic energy to the bodies of the island, as seen from the
-// first of its grounds (`ContactProblem::grounds_of`).
+// Whether the impulses would add kinetic energy to the bodies of the island, measured relative to
+// the first of its grounds (`ContactProblem::grounds_of`).
 // @param bodies  the bodies before these impulses, in the order of the island
 bool adds_energy(const ContactProblem& problem, const Island& island, std::span<const int> active,
                  std::vector<Body> bodies, const std::vector<Vector3d>& impulses)
@@ -187,7 +190,7 @@ struct NewtonStart {
 };
 
 // Continues by Newton's method and checks the result by a few sweeps. The result is accepted if the
-// first of these sweeps changes no velocity by more than `start.allowed`.
+// first of these sweeps changes velocities by at most `start.allowed`.
 // @return whether the result is accepted
 bool solve_by_newton(ContactProblem& problem, const Island& island, std::span<const int> active,
                      const NewtonStart& start, const SweepLimits& check, Sweeps& sweeps)
@@ -203,10 +206,10 @@ bool solve_by_newton(ContactProblem& problem, const Island& island, std::span<co
 struct SolvePlan {
     double approach = 0; // result of `fastest_approach` [m/s]
     SweepLimits limits;
-    // Whether Newton's method follows sweeps that do not converge. If not, `is_far_off` decides.
+    // Whether Newton's method follows sweeps that do not converge, whatever `is_far_off` returns.
     bool may_use_newton = false;
-    // Whether the island is not a pile. The sparse matrix of a pile has too much fill-in for
-    // Newton's method.
+    // Whether the island is not a pile. Newton's method is too slow for piles, whose sparse matrix
+    // gets too much fill-in when it is factorized.
     bool is_stack = false;
     std::vector<Body> free; // the bodies of a stack before the contact stage; empty for a pile
 };
@@ -217,8 +220,8 @@ SolvePlan plan_for(const ContactProblem& problem, const Island& island, std::spa
     const double speed = fastest(problem, island, active, Body());
     const bool is_resting = rests(problem, island, active, problem.grounds_of(island), speed);
     const std::size_t bodies = island.bodies.size();
-    // One body on several static ones, as on the joint between two tiles. There sweeps converge
-    // slowly.
+    // A single body on several static or driven bodies, as on the joint between two tiles. There
+    // sweeps converge slowly.
     const bool is_on_joint = bodies == 1 && island.pairs.size() > 1;
     const bool is_stack = !is_pile(island);
     const bool may_use_newton = (is_resting || is_on_joint) && is_stack;
@@ -246,16 +249,16 @@ bool is_far_off(const ContactProblem& problem, const Island& island, const Solve
            swept.missing() > far_off * plan.approach;
 }
 
-// Continues where sweeps have not converged (`swept`: their residuals). The function makes these
-// attempts and returns after the first that succeeds:
+// Continues after sweeps that have not converged; `swept` are their residuals. The function makes
+// these attempts in this order and returns after the first that succeeds:
 // 1. Newton's method from the impulses of the sweeps, or from the initial impulses if the last
-//    sweep changed more than the first.
-// 2. If `is_far_off`, Newton's method from zero impulses, since both starts of attempt 1 may be far
-//    from the solution.
+//    sweep changed velocities more than the first.
+// 2. If `is_far_off` is true, Newton's method from zero impulses, since both starts of attempt 1
+//    may be far from the solution.
 // 3. Up to `last_sweeps` sweeps from the start of attempt 1. If `is_far_off`, their result is kept
 //    only for one or two bodies whose energy has not grown.
-// 4. Sweeps from zero impulses, as many as `plan.limits` allows. Sweeps that start there dissipate
-//    energy.
+// 4. Sweeps from zero impulses, as many as `plan.limits` allows. Sweeps that start from zero
+//    impulses dissipate energy.
 void continue_by_newton(ContactProblem& problem, const Island& island, std::span<const int> active,
                         const SolvePlan& plan, const Residuals& swept, Sweeps& sweeps)
 {

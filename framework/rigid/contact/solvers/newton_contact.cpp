@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The augmented Lagrangian method of Alart and Curnier (1991) for the contacts of an island. In
-// each round, Newton's method with a line search finds the velocities that minimise a convex
-// function, with the friction limits held fixed. Then the impulses and friction limits are updated,
-// and the penalty weight grows, until the impulses no longer change.
+// each round, Newton's method with a line search finds the velocities that minimize a convex
+// function, with the friction limits held fixed. Then the impulses and friction limits are updated
+// and the penalty weight grows. The rounds end when the impulses no longer change.
 #include "rigid/contact/solvers/newton_contact.hpp"
 
 #include "rigid/bodies/height_order.hpp"
@@ -23,36 +23,36 @@ namespace {
 using namespace newton;
 using Eigen::VectorXd;
 
-// The penalty ρ of a contact is a weight divided by nᵀKn. A round reduces a velocity error to about
-// 1/weight of it. But with a large weight, Newton's method finds which contacts touch and which
-// slide only if it starts close to the solution. So the weight is `first_weight` in the first round
-// and is multiplied by `growth` after each round, up to a last weight of at least
-// `least_last_weight`.
+// The penalty ρ of a contact is a weight divided by nᵀKn. A round divides a velocity error by about
+// the weight. But with a large weight, Newton's method finds which contacts touch and which slide
+// only if it starts close to the solution. So the weight is `first_weight` in the first round and
+// is multiplied by `growth` after each round, up to a last weight of at least `least_last_weight`.
 constexpr double first_weight = 1000, least_last_weight = 1e6, growth = 10;
 // A heavy body that rests on a light one feels only a small part of the penalty. Therefore the last
 // weight is multiplied by `light` times `largest_ratio()`, if this product is above 1.
 constexpr double light = 1e-3;
 // Limits that bound the run time; islands that can be solved need fewer rounds and steps. After 30
-// bisections the step length t, which lies in [0, 1], is known to 1e-9.
+// bisections the error of the step length t, which lies in [0, 1], is at most 1e-9.
 constexpr int most_rounds = 14, most_steps = 40, most_bisections = 30;
 // An inverse inertia J counts as singular if det J is at most `singular_determinant` |J|³. Then
 // `least_inverse_inertia` |J| is added to its diagonal. About an axis with zero inverse inertia,
-// this is a moment of inertia so large that the body hardly turns. A point mass has J = 0; for it,
-// 1/(M · 1 m²) takes the place of |J|, where M is its mass.
+// this stands for a moment of inertia so large that the body hardly turns. A point mass has J = 0;
+// for it, 1/(M · 1 m²) replaces |J|, where M is its mass.
 constexpr double singular_determinant = 1e-12, least_inverse_inertia = 1e-9;
 // The 1 m² in 1/(M · 1 m²), which gives 1/M the unit of an inverse inertia. It is so large that a
 // point mass hardly turns: for a contact with a lever arm of 100 m, rotation adds only 1e-5/M to
 // the compliance 1/M.
 constexpr double point_area = 1;  // [m²]
-constexpr double settled = 1e-13; // the rounds end at this relative change of the impulses
-// Once the penalty weight has its last value, a round must reduce the change of the impulses to at
-// most this share of the change in the round before. Otherwise more rounds do not help, and the
+constexpr double settled = 1e-13; // largest relative change of impulses that ends the rounds
+// Once the penalty weight has its last value, each round must reduce the change of the impulses to
+// at most this share of the change in the round before. Otherwise more rounds do not help, and the
 // method ends.
 constexpr double gain = 0.5;
 // A line search ends where the slope has fallen to this share of the slope at its start. A smaller
 // share takes more bisections, a larger one more steps of Newton's method.
 constexpr double flat = 0.1;
-// Newton's method ends at a step of at most this size, relative to the largest velocities.
+// Newton's method ends when a step changes velocities by at most this share of the largest
+// velocity.
 constexpr double converged = 1e-13;
 // Rounding error of a velocity, relative to the highest speed. A round computes j - ρ u (j:
 // impulse, u: velocity error of a contact), where ρ = weight/(nᵀKn) multiplies this error. So the
@@ -77,9 +77,9 @@ std::vector<int> from_the_lowest(const ContactProblem& problem, const Island& is
     return indices;
 }
 
-// The part of v₁ - v₂ that comes from static and driven bodies, with the opposite sign, in a frame
-// with the velocity V. These bodies have no unknowns and no impulse changes their velocities, so
-// this part belongs to the target velocity s of the contact.
+// Minus the part of v₁ - v₂ that comes from static and driven bodies, in a frame with the velocity
+// V [m/s]. These bodies have no unknowns and no impulse changes their velocities, so this part
+// belongs to the target velocity s of the contact.
 Vector3d surface_velocity(const ContactProblem& problem, const ContactConstraint& c,
                           const Vector3d& V)
 {
@@ -102,8 +102,8 @@ public:
             unknowns[island.bodies[k]] = static_cast<int>(bodies_.size());
             bodies_.push_back(&free[k]);
         }
-        // All velocities are relative to the ground's velocity V. So if the whole scene moves,
-        // their sizes stay the same, and so do the tolerances that are relative to these sizes.
+        // All velocities are relative to the velocity V of the ground. So if the whole scene moves,
+        // the velocities stay the same, and so do the tolerances that are relative to them.
         const Vector3d V = problem.grounds_of(island).front().velocity;
         const auto n = static_cast<Eigen::Index>(6 * bodies_.size());
         v_free_.resize(n);
@@ -157,8 +157,8 @@ public:
             }
             const double rounding = u_rounding * weight * speed;
             if (change <= settled * total + rounding) break;
-            // If contacts contradict each other, a velocity error remains, and their impulses would
-            // grow in every round.
+            // If no velocities satisfy all contacts, a velocity error remains, and the impulses
+            // would grow in every round.
             if (weight == last_weight_ && change > gain * before) break;
             before = weight == last_weight_ ? change : std::numeric_limits<double>::infinity();
             weight = std::min(last_weight_, growth * weight);
@@ -309,7 +309,7 @@ private:
         }
     }
 
-    // Finds the v that minimises Φ in this round, by Newton's method.
+    // Finds the v that minimizes Φ in this round, by Newton's method.
     // @return whether the method converged
     bool minimise()
     {
@@ -334,9 +334,9 @@ private:
     }
 
     std::vector<const Body*> bodies_;
-    std::vector<Matrix3d> inertias_; // inertia tensors in world space, none of them infinite
+    std::vector<Matrix3d> inertias_; // inertia tensors in world space, all of them finite
     std::vector<NewtonRow> rows_;
-    // V and ω of each body; v_free_: before the contact stage, v_: in this iteration.
+    // V and ω of each body: `v_free_` before the contact stage, `v_` in the current iteration.
     VectorXd v_free_, v_;
     double last_weight_ = least_last_weight;
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver_;

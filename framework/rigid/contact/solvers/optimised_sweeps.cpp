@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Projected Gauss–Seidel sweeps (Jean 1999; Erleben 2007). They do the same as the formula
+// Projected Gauss–Seidel sweeps (Jean 1999; Erleben 2007). They compute the same as the formula
 // `resolve_simultaneously`, in a form that the compiler can turn into SIMD code. The quantities of
 // body 1 and body 2 are side by side in a register while the contacts of a pair are visited one
 // after the other. Several threads sweep different blocks of the same color at the same time.
@@ -17,7 +17,7 @@ namespace {
 
 using namespace optimised;
 
-// Everything that a sweep needs for one contact.
+// The data that a sweep needs for one contact.
 struct SweepRow {
     TwoVectors r;                                          // lever arms x - Xᵢ [m]
     Vector3d n;                                            // normal
@@ -118,8 +118,9 @@ public:
     }
 
 private:
-    // A block of the island: its range of `pairs_`, and the progress of the last sweep over it with
-    // the number of impulses that this sweep has applied. Here `change` and `total` are squares.
+    // A block of the island: its range of `pairs_`, the progress of the last sweep over it, and the
+    // number of impulses that this sweep applied. Here `change` and `total` of the progress are
+    // squares.
     struct Block {
         IndexRange pairs;
         SweepProgress progress;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Sweeps that are accelerated by nonsmooth nonlinear conjugate gradients (Silcowitz-Hansen, Niebe
-// and Erleben 2010). After each sweep, the impulses also move along a search direction that the
-// code collects from the sweeps so far; the comment of `run_sweeps` has the formula. If the changes
-// grow too much (`divergence`), the rest of the run has no acceleration.
+// and Erleben 2010). After each sweep, the impulses also move along a search direction, which
+// combines the changes of the sweeps so far; the comment of `run_sweeps` has the formula. If the
+// changes grow too much (`divergence`), the rest of the run has no acceleration.
 #include "rigid/contact/solvers/run_sweeps.hpp"
 
 #include <algorithm>
@@ -13,13 +13,13 @@ namespace rigor {
 
 namespace {
 
-// Islands with more contacts than this are swept without acceleration, because plain sweeps gain
-// more in the same time. Chosen by trial; `bench pile` has islands with more contacts, and `bench
-// contact` has stacks with fewer.
+// Islands with more contacts than this are swept without acceleration, because plain sweeps reduce
+// the error more in the same time. Chosen by trial; `bench pile` has islands with more contacts,
+// and `bench contact` has stacks with fewer.
 constexpr std::size_t many_contacts = 1000;
 // The acceleration counts as diverging if the change by a sweep (`SweepProgress::change`) exceeds
-// this many times the smallest change so far. In sweeps that converge it may grow a little; the
-// factor was chosen by trial.
+// this many times the smallest change so far. Even in sweeps that converge, the change may grow a
+// little. The factor was chosen by trial.
 constexpr double divergence = 2;
 constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
 

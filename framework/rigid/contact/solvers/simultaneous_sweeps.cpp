@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sweeps by the formula `resolve_simultaneously` of topic `contact`, on a copy of the island. Each
-// sweep is a call of the formula for one iteration, which starts from the current impulses. Last,
-// the final impulses and the velocities to which they lead are stored in the problem.
+// sweep calls the formula for one iteration, which starts from the current impulses. Last, the
+// final impulses and the velocities that they cause are stored in the problem.
 #include "rigid/contact/solvers/simultaneous_sweeps.hpp"
 
 #include "formulas/contact.hpp"

@@ -10,16 +10,16 @@
 
 namespace rigor {
 
-/// What a sweep changed. Δj is the change of a contact's impulse j, n its normal, and K its impulse
-/// matrix. `change` is the largest nᵀKn |Δj| and `total` the largest nᵀKn |j|, both [m/s];
-/// `squared` is the sum of nᵀKn |Δj|² [J].
+/// The changes that a sweep made. Δj is the change of a contact's impulse j, n its normal, and K
+/// its impulse matrix. `change` is the largest nᵀKn |Δj| and `total` the largest nᵀKn |j|, both
+/// [m/s]; `squared` is the sum of nᵀKn |Δj|² [J].
 struct SweepProgress {
     double change = 0, total = 0, squared = 0;
 };
 
-/// One kind of sweep. The impulses start from the contacts' `initial_impulse` and end as their
-/// `contact_impulse`. Lists of impulses are in the order of the active contacts (see
-/// active_contacts.hpp), which are passed to the function that makes the sweeps.
+/// One kind of sweep. The impulses start from the contacts' `initial_impulse`, and the final
+/// impulses are stored as their `contact_impulse`. Lists of impulses are in the order of the active
+/// contacts (see active_contacts.hpp), which are passed to the function that makes the sweeps.
 class Sweeps {
 public:
     virtual ~Sweeps() = default;
@@ -31,7 +31,7 @@ public:
     virtual std::vector<Vector3d> impulses() const = 0;
     /// Adds these changes to the impulses, one for each contact.
     virtual void add(const std::vector<Vector3d>& changes) = 0;
-    /// Stores the resulting velocities and impulses in the problem.
+    /// Stores the final velocities and impulses in the problem.
     virtual void finish() = 0;
 };
 
