@@ -28,9 +28,10 @@ constexpr double equally_deep = 0.9;
 constexpr double same_normal = 1e-9; // normals n, n' count as equal if 1 - n·n' is smaller
 // At the front of a rolling wheel, rotation moves a point towards the ground (`turning_speed`, a
 // part of v·n), but the point does not reach the ground in this step. `only_turns` leaves out such
-// a contact only if the rest of v·n, v·n - turning_speed, is above -negligible_share
-// |turning_speed|: the bodies separate, or they approach more slowly than this. The share is not 0,
-// because `turning_speed` is exact only to first order in the rotation during the step.
+// a contact only if the rest of v·n, which is v·n - turning_speed, is above
+// -negligible_share |turning_speed|: the bodies separate, or they approach more slowly than this.
+// The share is not 0, because `turning_speed` is exact only to first order in the rotation during
+// the step.
 constexpr double negligible_share = 0.1;
 // `only_turns` counts v·n - turning_speed as zero if it is an approach slower than half this share
 // of |turning_speed|. This limit is far above the rounding error of a speed and far below any speed
@@ -73,8 +74,8 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
         const double depth = -problem.predicted_gap(c, v_n + c.force_speed);
         if (!(depth > 0)) continue;
         // After a bounce the contact opens with a speed of at most -v_n, while the forces
-        // accelerate it by force_speed/h (h: time step). So it closes again after at most 2
-        // v_n/force_speed time steps.
+        // accelerate it by force_speed/h (h: time step). So it closes again after at most
+        // 2 v_n/force_speed time steps.
         const bool is_over_in_the_step = v_n < 0 && 2 * v_n > c.force_speed;
         if (is_over_in_the_step) continue;
         if (only_turns(c, v_n)) continue;

@@ -162,8 +162,8 @@ struct ContactProblem {
     /// this island. Along the mean normal of its contacts, a driven body keeps its mean velocity.
     /// Along the surface it gets V_d + h ω × (V - V_d), where V_d is its velocity at the end of the
     /// step, ω its mean angular velocity, h the time step, and V the mean velocity of the bodies
-    /// that touch it. The reason: in the step, the contact points move over its surface by h (V -
-    /// V_d), so the velocity of the surface at these points changes by h ω × (V - V_d).
+    /// that touch it. The reason: in the step, the contact points move over its surface by
+    /// h (V - V_d), so the velocity of the surface at these points changes by h ω × (V - V_d).
     void set_drives(const Island& island);
     /// Gives all driven bodies their mean velocities again.
     void reset_drives();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One step under a constant wrench, by Buss's augmented fourth-order method (2000). It computes ω
-// and its derivatives, from a series of these the mean angular velocity Ω, and then one rotation by
-// Ω h. For a body without torque, the exact Ω can replace the series.
+// One step under a constant wrench, by Buss's augmented fourth-order method (2000). The code
+// computes ω and its derivatives, then from a series of these the mean angular velocity Ω, and then
+// one rotation by Ω h. For a body without torque, the exact Ω can replace the series.
 #include "rigid/motion/constant_wrench_step.hpp"
 
 #include "formulas/rotation.hpp"
@@ -12,7 +12,8 @@ namespace rigor {
 
 namespace {
 
-// Ω: the constant angular velocity that gives the same rotation over the step as the changing ω.
+// The mean angular velocity Ω: the constant angular velocity that gives the same rotation over the
+// step as the changing ω.
 Vector3d mean_angular_velocity(const Matrix3d& J, const Vector3d& L, const Vector3d& torque,
                                double h)
 {
@@ -34,8 +35,8 @@ Vector3d mean_angular_velocity(const Matrix3d& J, const Vector3d& L, const Vecto
            h * h * h / 24 * w2.cross(w);
 }
 
-// The orientation of a body of revolution after a step without torque: a rotation about its axis
-// and one about L, exp(h i L) exp(h k (L·a) a) q, see constant_wrench_step.hpp.
+// The orientation of a body of revolution after a step without torque: a rotation about its axis a,
+// then a rotation about L, exp(h i L) exp(h k (L·a) a) q, see constant_wrench_step.hpp.
 Quaternion turned_symmetric(const RigidBody& body, const RigidState& state, double h)
 {
     const Matrix3d& J_body = body.inverse.inverse_inertia;
@@ -46,7 +47,7 @@ Quaternion turned_symmetric(const RigidBody& body, const RigidState& state, doub
     return advance_exact(advance_exact(state.orientation, k * L.dot(a) * a, h), i * L, h);
 }
 
-// The exact mean angular velocity Ω over the step, of a body without torque.
+// The exact mean angular velocity Ω of a body without torque over the step.
 Vector3d mean_of_free_rotation(const RigidBody& body, const RigidState& state, double h)
 {
     const Matrix3d axes = body_rotation(Integrator::exact, state) * body.principal_axes;
@@ -54,8 +55,8 @@ Vector3d mean_of_free_rotation(const RigidBody& body, const RigidState& state, d
                                              axes.transpose() * state.angular_momentum, h);
 }
 
-// Whether the series for the mean angular velocity Ω is exact to rounding: the first term that it
-// leaves out is some thousandths of (|I⁻¹| |L| h)⁵.
+// Whether the series for the mean angular velocity Ω is exact up to rounding. The first term that
+// the series leaves out is some thousandths of (|I⁻¹| |L| h)⁵.
 bool is_series_exact(const RigidBody& body, const RigidState& state, double h)
 {
     constexpr double most = 1e-3; // [rad]

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Elliptic integrals by Carlson's duplication (1995, "Numerical computation of real or complex
-// elliptic integrals", Numer. Algorithms 10): the arguments are brought closer together until a
-// short series is exact to rounding. Elliptic functions by the arithmetic-geometric mean (Bulirsch
-// 1965, "Numerical calculation of elliptic integrals and elliptic functions", Numer. Math. 7).
+// Computes elliptic integrals by Carlson's duplication (1995, "Numerical computation of real or
+// complex elliptic integrals", Numer. Algorithms 10): the arguments are brought closer together
+// until a short series is exact up to rounding. Computes elliptic functions by the
+// arithmetic-geometric mean (Bulirsch 1965, "Numerical calculation of elliptic integrals and
+// elliptic functions", Numer. Math. 7).
 #include "rigid/motion/elliptic_functions.hpp"
 
 #include <algorithm>
@@ -15,19 +16,20 @@ namespace rigor {
 
 namespace {
 
-// The series leave out terms of sixth order. So they are exact to rounding if the arguments differ
-// from their mean A by at most this fraction of A, (ε/4)^(1/6) with the machine epsilon ε.
+// The series leave out terms of sixth order. So they are exact up to rounding if the arguments
+// differ from their mean A by at most this fraction of A, (ε/4)^(1/6) with the machine epsilon ε.
 const double spread_left = std::pow(std::numeric_limits<double>::epsilon() / 4, 1.0 / 6);
 
 // The arithmetic and the geometric mean converge quadratically. If they differ by less than this
-// fraction, half their sum equals their common limit except for rounding.
+// fraction of the arithmetic mean, half their sum equals their common limit up to rounding.
 constexpr double means_differ = 1e-8;
-// A limit for the rounds in which the two means approach each other. Even the complementary
+// Largest number of rounds in which the two means approach each other. Even the complementary
 // parameter m1 = 1e-300 needs only 11 rounds.
 constexpr int most_means = 20;
 
-// A limit for the rounds of the duplication. Arguments as far apart as 1 and 1e-300 need at most 13
-// rounds, unless p of R_J is far larger than x, y and z, which does not occur in free_rotation.cpp.
+// Largest number of rounds of the duplication. Arguments as far apart as 1 and 1e-300 need at most
+// 13 rounds, unless p of R_J is far larger than x, y and z, which does not occur in
+// free_rotation.cpp.
 constexpr int most_duplications = 100;
 
 // R_C(1, 1 + e) = arctan(√e) / √e, which is artanh(√-e) / √-e for e < 0.
@@ -132,7 +134,7 @@ EllipticFunctions at_sum(const EllipticFunctions& u, const EllipticFunctions& v,
     EllipticFunctions f;
     f.sn = (u.sn * v.cn * v.dn + v.sn * u.cn * u.dn) / D;
     f.cn = (u.cn * v.cn - u.sn * u.dn * v.sn * v.dn) / D;
-    const double size = std::hypot(f.sn, f.cn); // 1 but for rounding
+    const double size = std::hypot(f.sn, f.cn); // 1 up to rounding
     f.sn /= size;
     f.cn /= size;
     f.dn = std::sqrt(m1 + (1 - m1) * f.cn * f.cn);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Elliptic integrals and Jacobi's elliptic functions. They keep their relative accuracy for every
-// parameter m below 1, also very near to 1.
+// Elliptic integrals and Jacobi's elliptic functions. Their relative errors stay small for every
+// parameter m below 1, also for m very near to 1.
 #pragma once
 
 namespace rigor {
@@ -29,7 +29,7 @@ struct EllipticFunctions {
 /// @param m1  the complementary parameter 1 - m, in (0, 1]
 EllipticFunctions elliptic_functions(double u, double m1);
 
-/// sn, cn and dn of u + v from those of u and of v, by the addition theorem.
+/// sn, cn and dn of u + v, computed from their values at u and at v by the addition theorem.
 EllipticFunctions at_sum(const EllipticFunctions& u, const EllipticFunctions& v, double m1);
 
 } // namespace rigor

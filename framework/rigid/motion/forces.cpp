@@ -21,7 +21,8 @@ bool acts(const AppliedForce& force, double time)
     return force.start <= time && time < force.end;
 }
 
-// One end of a spring in world space: its position and, if the spring damps, its velocity.
+// One end of a spring in world space: its position x [m] and, if the spring has damping, its
+// velocity v [m/s].
 struct SpringEnd {
     Vector3d x = Vector3d::Zero(), v = Vector3d::Zero();
 };
@@ -147,7 +148,7 @@ void AppliedWrenches::add_spring(const Spring& spring)
     const SpringEnd end2 = spring_end(spring.body2, spring.point2, damps, motions_);
     const Vector3d d = end2.x - end1.x;
     const double length = d.norm();
-    if (length == 0) return; // the pull has no direction
+    if (length == 0) return; // the force of the spring has no direction
     if (spring.only_pulls && length <= spring.rest_length) return;
 
     // f₁ = (k (|d| - l₀) + c (v₂ - v₁)·u) u,  u = d/|d|,  f₂ = -f₁
@@ -159,8 +160,8 @@ void AppliedWrenches::add_spring(const Spring& spring)
     push(spring.body2, -tension * u, end2.x);
 }
 
-// Adds the force and the torque, multiplied by factor(t) sin(2π f t + φ). If the frequency f is 0,
-// the sine is left out; if there is no factor, the factor is 1.
+// Adds the force and the torque, multiplied by factor(t) sin(2π f t + φ), where t is `now`. If the
+// frequency f is 0, the sine is left out; if there is no factor, the factor is 1.
 void AppliedWrenches::add_force(const AppliedForce& force, double now)
 {
     const Motion& m = motions_[force.body];

@@ -17,7 +17,7 @@ struct Motion {
 };
 
 /// For each body, whether a spring is attached to it, or an applied force acts on it at some time
-/// in [time, time + step]. False for static bodies.
+/// in [time, time + step], where `time` is the world's time. False for static bodies.
 std::vector<bool> pulled_bodies(const World& world, double time_step);
 
 /// The list `pulled` (from `pulled_bodies`), with true also for each body that has drag, is awake
@@ -30,8 +30,8 @@ struct ForceRate {
     int body = -1;
 };
 
-/// A bound on the fastest rate at which springs, applied forces and drag change the motion of a
-/// body: the largest of the following rates of all bodies.
+/// A bound of the fastest rate at which springs, applied forces and drag change the motion of a
+/// body. It is the largest of the following rates of all bodies.
 ///
 ///   * The springs of a body, with stiffness k and damping c: the angular frequency of a vibration
 ///     is at most √(Σ k (K₁ + K₂)), and the rate of a decay at most Σ c (K₁ + K₂). Here K₁ and K₂
@@ -46,29 +46,28 @@ ForceRate fastest_force_rate(const World& world);
 /// formula is called.
 Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3d& X);
 
-/// The wrenches of springs, applied forces, drag and gravity, computed for one time after another.
-/// The lists are kept between the calls, so a step allocates them only once.
+/// The wrenches of springs, applied forces, drag and gravity, computed at several times one after
+/// the other. The lists are kept between the calls, so a step allocates them only once.
 class AppliedWrenches {
 public:
-    /// @param bodies  indices of the bodies on which springs or applied forces pull or which a
-    ///                medium brakes, in ascending order
+    /// @param bodies  indices of the bodies on which springs, applied forces or drag act, in
+    ///                ascending order
     AppliedWrenches(const World& world, std::span<const int> bodies);
 
     /// Net force and torque on each body of the list `bodies` of the constructor, in its order.
     ///
-    /// The points of attachment are computed by `world_point` and, for a spring that damps, their
-    /// velocities by `point_velocity`. `net_wrench` adds up the point forces on a body, if there
-    /// are any.
+    /// The points of attachment are computed by `world_point` and, for a spring with damping, their
+    /// velocities by `point_velocity`. If point forces act on a body, `net_wrench` adds them up.
     ///
     /// @param states  the states of all bodies of the world
     /// @param middle  the time in the middle of the substep [s]. A force that acts at this time
-    ///                counts as acting during the whole substep. So a force that starts and ends
-    ///                together with steps gives its full impulse.
+    ///                counts as acting during the whole substep. So if the start and the end of a
+    ///                force coincide with those of steps, the force gives its full impulse.
     /// @param now     the time to which `states` belong [s]
     const std::vector<Wrench>& at(std::span<const RigidState> states, double middle, double now);
 
-    /// Whether any spring damps or a medium brakes a body. If not, the wrenches depend only on the
-    /// poses and on the time.
+    /// Whether a spring of the world has damping, or drag acts on a body of the list. If not, the
+    /// wrenches depend only on the poses and on the time.
     bool depends_on_velocities() const { return depends_on_velocities_; }
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The states after a free flight: of one body, by the integrator's own step, and of all bodies of a
-// world. Bodies that fly alone come first. Then all bodies on which springs, forces or drag act
-// advance together, stage by stage, since the force of a spring depends on both its bodies.
-// free_flight.hpp names the methods.
+// Computes the states after a free flight: of one body, by the step of the integrator, or of all
+// bodies of a world. Bodies that fly alone come first. Then all bodies on which springs, forces or
+// drag act advance together, stage by stage, since the force of a spring depends on both its
+// bodies. free_flight.hpp names the methods.
 #include "rigid/motion/free_flight.hpp"
 
 #include "formulas/rotation.hpp"
@@ -26,8 +26,8 @@ namespace {
 
 constexpr double quarter_turn = std::numbers::pi / 2;
 // The largest number of substeps of a step. A body whose rotation needs more makes over 250
-// rotations in a step. No result is useful then, and the limit keeps the step from taking very
-// long. If springs, forces or drag need more, `substeps_for_forces` throws.
+// rotations in a step, and no result is useful then. The limit bounds the run time. If springs,
+// forces or drag need more substeps, `substeps_for_forces` throws.
 constexpr double most_substeps = 1000;
 
 using Turn = Quaternion (*)(const Quaternion& q, const Vector3d& omega, double time_step);
@@ -92,10 +92,10 @@ int substeps_for(Integrator integrator, const RigidBody& body, const RigidState&
 
 // The least number of equal substeps for which `fastest_force_rate` times the length of a substep
 // is at most 0.5. It is 1 if the integrator under forces is not `runge_kutta`. At 0.5, the
-// splitting method (`fly_by_splitting`) has an error of at most 2e-4 of the amplitude in 30
-// oscillations of a spring. Runge–Kutta 4, which replaces this method where a spring damps or a
-// medium brakes a body, has an error of at most 4e-3 at a twentieth of the critical damping, and of
-// up to 0.1 if the damping is very weak.
+// splitting method (`fly_by_splitting`) has an error of at most 2e-4 of the amplitude after 30
+// oscillations of a spring. If a spring has damping or drag acts on a body, Runge–Kutta 4 replaces
+// the splitting method. Its error is at most 4e-3 at a twentieth of the critical damping, and up to
+// 0.1 if the damping is very weak.
 // @throws std::domain_error if more than `most_substeps` are needed
 int substeps_for_forces(const World& world, double h)
 {
@@ -118,8 +118,8 @@ int substeps_for_forces(const World& world, double h)
     return needed > 1 ? static_cast<int>(needed) : 1;
 }
 
-// Gives the quaternion length 1 again, since the rounding of many rotations adds up. The
-// integrators `matrix` and `linear` do that themselves.
+// Normalizes the quaternion, since rounding errors of many rotations add up. The integrators
+// `matrix` and `linear` normalize it themselves.
 RigidState with_unit_orientation(Integrator integrator, RigidState state)
 {
     if (integrator != Integrator::matrix && integrator != Integrator::linear)
@@ -133,8 +133,8 @@ int count_substeps(int n, Counters& counters)
     return n;
 }
 
-// Two times of a substep [s]: its start, and its middle. The middle decides whether an applied
-// force acts: during the whole substep, or not at all.
+// The start and the middle of a substep [s]. An applied force acts during the whole substep if it
+// acts at the middle; otherwise it does not act in this substep.
 struct StepTimes {
     double start = 0, middle = 0;
 };

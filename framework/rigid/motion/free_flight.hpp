@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Free flight: how bodies move between contacts, by the world's integrator.
 //
-// The default integrator, `exact`, is exact for a body that gravity alone acts on: a parabola and
-// the free rotor of free_rotation.hpp. All other bodies take `runge_kutta`.
+// The default integrator, `exact`, is exact for a body on which only gravity acts: the center of
+// mass moves on a parabola, and the body rotates as the free rotor of free_rotation.hpp. All other
+// bodies take `runge_kutta`.
 //
 // The integrator `runge_kutta` has three methods of fourth order. "Pulled" bodies are those on
 // which springs, applied forces or drag act:
@@ -13,11 +14,12 @@
 //   3. If any spring damps or a medium brakes a body, all pulled bodies take the method of
 //      Munthe-Kaas.
 //
-// Methods 2 and 3 advance all pulled bodies together, in equal substeps h. There are so many
-// substeps that each of these bodies, unless it is isotropic, rotates by at most a quarter turn in
-// a substep (with the limit in `substeps_for`, free_flight.cpp), and that `fastest_force_rate`
-// times h is at most 0.5. The integrators other than `exact` and `runge_kutta` do not divide the
-// step for forces, so that students can watch where springs make them unstable.
+// Methods 2 and 3 advance all pulled bodies together, in equal substeps of length h. There are
+// enough substeps for two conditions. Each of these bodies, unless it is isotropic, rotates by at
+// most a quarter turn in a substep (with the limit in `substeps_for`, free_flight.cpp). And
+// `fastest_force_rate` times h is at most 0.5. The integrators other than `exact` and `runge_kutta`
+// do not divide the step for forces, so that students can watch where springs make these
+// integrators unstable.
 //
 // SRKN6b, in which kicks (impulses) and free flights alternate, is a symplectic
 // Runge–Kutta–Nyström method of Blanes and Moan (2002, "Practical symplectic partitioned
@@ -27,8 +29,8 @@
 //     flight by aᵢ:  a free flight without forces and torques over the time aᵢ h
 //     order:         b₁ a₁ b₂ a₂ b₃ a₃ b₄ a₃ b₃ a₂ b₂ a₁ b₁
 //
-// On a pendulum this method is as accurate as Runge–Kutta 4 with steps a sixth as long, and its
-// energy does not drift with the number of swings. On a spring it is stable up to √(k/M) h = 5,
+// On a pendulum, SRKN6b is as accurate as Runge–Kutta 4 with steps a sixth as long, and its energy
+// does not drift with the number of swings. On a spring, SRKN6b is stable up to √(k/M) h = 5,
 // Runge–Kutta 4 only up to 2.8.
 //
 // Method 3 is the Runge–Kutta method of Munthe-Kaas (1999, "High order Runge–Kutta methods on
@@ -51,27 +53,28 @@ enum class Gravity { acts, left_out };
 
 /// The state of one body after a time step in which gravity alone or nothing acts on it.
 ///
-/// If a body would rotate by more than a quarter turn, the step is divided into equal substeps of
-/// at most a quarter turn (`max_time_step`), but into at most 1000. Four kinds of flight are never
-/// divided:
+/// If a body would rotate by more than a quarter turn, the step is divided into equal substeps in
+/// which it rotates by at most a quarter turn (`max_time_step`), but into at most 1000. Four kinds
+/// of flight are never divided:
 ///
 ///   1. any body by `exact`
 ///   2. an isotropic body by any integrator but `linear`
 ///   3. a body of revolution by `runge_kutta`
 ///   4. any body by `matrix`, because assignment A1 uses `matrix` and `max_time_step` belongs to A3
 ///
-/// @param gravity  `left_out` for a body that contacts hold. Such a body moves by
-///                 `Settings::integrator_under_forces`, so never by `exact`.
+/// @param gravity  `left_out` for a body that contacts hold, whose velocity already contains the
+///                 effect of gravity. Such a body moves by `Settings::integrator_under_forces`, so
+///                 never by `exact`.
 RigidState fly(const Settings& settings, const RigidBody& body, RigidState state, double time_step,
                Counters& counters, Gravity gravity = Gravity::acts);
 
-/// How far gravity moves a body in a step h of free flight without substeps, as a multiple of h² g:
-/// ½ on a parabola, and 1 by symplectic Euler, which moves the body with its velocity at the end of
-/// the step.
+/// The distance by which gravity moves a body in a step h of free flight without substeps, divided
+/// by h² |g|. It is ½ on a parabola. It is 1 by symplectic Euler, which moves the body with its
+/// velocity at the end of the step.
 double fall_in_step(Integrator integrator);
 
 /// Calls work(first, last, counted) for ranges that cover [0, count), shared by the threads of the
-/// pool, and adds to `counters` what the calls counted.
+/// pool. Each call counts in its own `counted`, and the sums are added to `counters`.
 template <class Work>
 void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, const Work& work)
 {
@@ -91,7 +94,8 @@ void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, co
 /// forces or drag act fly together, all others one by one. Sleeping bodies keep their state, and so
 /// do static ones unless a drive moves or turns them. Only the counters of the world are changed.
 ///
-/// @param pulled  whether each body flies together with others; from `with_dragged_bodies`
+/// @param pulled  for each body, whether springs, applied forces or drag act on it (the result of
+///                `with_dragged_bodies`)
 std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,
                                 ThreadPool& pool);
 

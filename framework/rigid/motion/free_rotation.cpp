@@ -22,8 +22,8 @@ namespace rigor {
 namespace {
 
 // The smallest 1 - m that is used (m: parameter of the elliptic functions). Smaller values would
-// make no difference: even with this one, the argument u has to grow from 0 to a quarter period of
-// about 117 before the momentum M passes the unstable axis (axis 2).
+// change nothing: even with 1e-100, the argument u has to grow from 0 to a quarter period of about
+// 117 before the momentum M passes the unstable axis (axis 2).
 constexpr double least_m1 = 1e-100;
 
 // The closed curve of the unit vector M/|M| in the body.
@@ -35,8 +35,8 @@ struct Path {
     double m1 = 1;                 // 1 - m (m: parameter of the elliptic functions)
     double rate = 0;               // u̇/|M| [1/(kg m²)]
 
-    // Whether M moves in the body. It does not if it lies along a principal axis or if all moments
-    // are equal.
+    // Whether M moves in the body. M does not move if it lies along a principal axis or if all
+    // moments are equal.
     bool is_moving() const { return rate != 0 && A1 > 0 && std::isfinite(N); }
 };
 
@@ -89,8 +89,8 @@ double integral(const Path& path, const EllipticFunctions& start, const Elliptic
     return half_periods == 0 ? G : G + half_periods * 2 * swept(path, {0, 1, 1}).G;
 }
 
-// The frame of axis 3 and M. Its columns: the part of axis 3 perpendicular to M, the direction that
-// completes the frame, and M, each of length 1.
+// The frame that axis 3 and M span. Its columns, each of length 1: the part of axis 3 perpendicular
+// to M, the direction that completes the frame, and M.
 Matrix3d frame_of(const Vector3d& M, int axis3)
 {
     const double across = std::hypot(M[(axis3 + 1) % 3], M[(axis3 + 2) % 3]);

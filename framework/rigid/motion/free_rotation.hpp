@@ -7,7 +7,7 @@
 namespace rigor {
 
 /// A constant angular velocity Ω that gives the same rotation over a time h as the free motion of
-/// the body. Ω is in the principal frame of the body at the start of this time [rad/s].
+/// the body. Ω is given in the principal frame that the body has at the start of this time [rad/s].
 ///
 /// The angular momentum M in the body follows Euler's equations, which Jacobi solved (1849; Landau
 /// and Lifshitz, "Mechanics", § 37). The inverse moments J are numbered so that J₁ > J₂ > J₃ or
@@ -23,8 +23,8 @@ namespace rigor {
 ///
 ///     φ̇ = |L| (J₂ + (J₁ - J₂) M₁² / (M₁² + M₂²))
 ///
-/// The error is no larger than the one that rounding the arguments causes, for a time of any length
-/// and for moments that are equal, nearly equal or far apart.
+/// The error is no larger than the error that rounding of the arguments causes, for a time of any
+/// length and for moments that are equal, nearly equal or far apart.
 ///
 /// @param inverse_moments  J, in any order [1/(kg m²)]
 /// @param momentum         M, the angular momentum along the principal axes [kg m²/s]

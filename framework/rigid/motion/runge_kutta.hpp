@@ -27,8 +27,8 @@ template <class Scheme> struct BodyStages {
     std::array<typename Scheme::Rate, 4> rates; // one for each stage so far
 };
 
-/// Advances all bodies by h together, since they may pull on each other. Afterwards, `stage` of
-/// each body is its state at the end of the step.
+/// Advances all bodies by the time h together, since they may pull on each other. Afterwards,
+/// `stage` of each body is its state at the end of the step.
 ///
 /// @param update_wrenches  called at each stage; sets the wrenches of the bodies if these change
 ///                         from stage to stage
@@ -67,8 +67,8 @@ struct MatrixScheme {
     }
 
     /// R + h Ṙ is not a rotation: at the stages inside a step, R differs from a rotation by O(h²).
-    /// The formulas get the nearest rotation instead. It is a smooth function of R, and equal to R
-    /// if R is a rotation, so the order stays 4.
+    /// Therefore the formulas get the rotation nearest to R. This rotation is a smooth function of
+    /// R, and equal to R if R is a rotation, so the order stays 4.
     static Rate rate(const RigidBody& body, State s, const Wrench& wrench)
     {
         s.rotation = nearest_rotation(s.rotation);
