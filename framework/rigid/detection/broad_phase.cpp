@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The broad phase. Few bodies are compared pair by pair; for many, a tree of the moving bodies'
-// bounds is searched for overlaps, by several threads. Bodies with a plane are compared with all
-// moving bodies. A cache of fat bounds (Verlet 1967) keeps the pairs valid over several steps.
+// The broad phase. If there are few moving bodies, they are compared pair by pair. If there are
+// many, several threads search a tree of the moving bodies' bounds for overlaps. Bodies with a
+// plane are compared with all moving bodies. A cache of fat bounds (Verlet 1967) keeps the pairs
+// valid over several steps.
 #include "rigid/detection/broad_phase.hpp"
 
 #include "geometry/bounds/overlap_tree.hpp"
@@ -29,8 +30,8 @@ bool reaches(const RigidBody& unbounded, const Pose& pose, const Bounds& bounds)
 }
 
 // Up to this many moving bodies are compared pair by pair, without a tree, and up to this many
-// pairs are sorted without a counting sort, because that is faster. The value changes no result; it
-// was chosen by trial.
+// pairs are sorted without a counting sort, because this is faster. The value was chosen by trial;
+// no result depends on it.
 constexpr std::size_t few = 12;
 
 BodyPair pair_of(int i, int j)
@@ -165,7 +166,7 @@ std::vector<BodyPair> cached_near_pairs(World& world, const std::vector<Pose>& p
                                         const std::vector<double>& margins, ThreadPool& pool)
 {
     // With fewer bodies than this, a new search takes less time than the check of the cache. The
-    // value changes no result; it was chosen by trial.
+    // value was chosen by trial; no result depends on it.
     constexpr std::size_t worth_caching = 64;
     world.counters.pairs_possible += pairs_possible(world);
     if (bounds.size() < worth_caching) return near_pairs(world, poses, bounds, pool);

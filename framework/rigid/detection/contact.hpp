@@ -5,12 +5,12 @@
 
 namespace rigor {
 
-/// Penetration slop: the overlap that the position correction leaves uncorrected in piles, divided
-/// by the radius of the contact (`ContactConstraint::radius`). With a much smaller slop a pile
-/// would never come to rest, see `position_corrections` (position_correction.hpp). Where detection
-/// looks ahead to the end of the step, shapes that overlap by less than this fraction of a length
-/// count as separated. The length is the radius for a sphere and a box, the smallest half edge for
-/// two boxes, and otherwise half the diagonal of the smaller shape's bounds.
+/// Penetration slop: the overlap that the position correction leaves in piles, divided by the
+/// radius of the contact (`ContactConstraint::radius`). With a much smaller slop a pile would never
+/// come to rest, see `position_corrections` (position_correction.hpp). Where detection looks ahead
+/// to the end of the step, shapes that overlap by less than this fraction of a length count as
+/// separated. This length is the radius for a sphere and a box, the smallest half edge for two
+/// boxes, and otherwise half the diagonal of the smaller shape's bounds.
 inline constexpr double resting_overlap = 1e-4;
 
 /// A contact: a pair of close points of two shapes, or of two bodies of a world. Its point lies in
@@ -21,7 +21,7 @@ inline constexpr double resting_overlap = 1e-4;
 ///   3. A sphere, a capsule or a torus that is tested by its core, the point or curve in its middle
 ///      (core_contact.hpp says which contacts these are): on the surface of this shape.
 ///   4. A part of a concave shape that lies ahead (`find_contacts_ahead` in narrow_phase.cpp): the
-///      point that the contact would have after the move, moved back with the bodies.
+///      point where the contact would be after the motion of this step, moved back with the bodies.
 struct Contact {
     Vector3d point = Vector3d::Zero();   // [m]
     Vector3d normal = Vector3d::UnitY(); // unit, from shape 2 to shape 1

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Contact candidates of a step: all pairs of points that may touch before it ends. The bounds of
-// each body are swept over its free flight, and the broad phase finds the pairs whose bounds
-// overlap. The margin of a body is how far it may move; impulses that pass from body to body make
-// it larger. The narrow phase then looks for contacts whose gap is below the sum of the relative
-// path and both margins. All motion is measured relative to other bodies and never to the
-// origin, so a scene that moves at a constant velocity has the same contacts as at rest. The search
-// also lists sleeping bodies that another body may touch, since they have to wake before the step
-// goes on.
+// Finds the contact candidates of a step: all pairs of points that may touch before it ends. The
+// bounds of each body are swept over its free flight, and the broad phase finds the pairs whose
+// bounds overlap. The margin of a body is a bound of how far impulses may move it; impulses that
+// pass from body to body make it larger. The narrow phase then finds the contacts whose gap is
+// below the sum of the relative path and both margins. All motion is measured relative to other
+// bodies and never to the origin of the world, so a scene that moves at a constant velocity has the
+// same contacts as at rest. The search also lists sleeping bodies that another body may touch,
+// since they have to wake before the step goes on.
 #include "rigid/detection/contact_candidates.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
@@ -55,17 +55,17 @@ struct ImpulseBody {
     bool is_still = false;
 };
 
-// A body's data for the propagation of impulses. If the world has pair laws, one of them may give
-// contacts of this body a restitution up to 1, so 1 is used.
+// The data of a body for the propagation of impulses. If the world has pair laws, one of them may
+// give contacts of this body a restitution up to 1, so 1 is used.
 ImpulseBody impulse_body(const World& world, const RigidBody& body)
 {
     const double restitution = world.pair_laws.empty() ? body.material.restitution : 1;
-    constexpr double driven_mass = 1e300; // [kg], since nothing can stop a driven body
+    constexpr double driven_mass = 1e300; // [kg]; very large, since nothing stops a driven body
     return {body.changes_place() ? driven_mass : body.mass, restitution, body.is_still()};
 }
 
-// The share of body j's speed that body i gets when j hits it: (1 + ε) m_j / (m_i + m_j), at most
-// 1.
+// The share of body j's speed that body i gets when j hits it: (1 + ε) m_j / (m_i + m_j), but at
+// most 1.
 double speed_transfer(const ImpulseBody& i, const ImpulseBody& j)
 {
     const double restitution = std::min(i.restitution, j.restitution);
@@ -74,15 +74,15 @@ double speed_transfer(const ImpulseBody& i, const ImpulseBody& j)
 
 // Whether a body turns in the step by so large a part of the angle between two facets that it rolls
 // like a round body. In the orientation at the start of the step, the vertex on which such a body
-// will stand at the end lies ahead of the body, and a contact there would brake it. A body that
-// turns less meets the ground with one vertex after the other, which only the orientation at the
-// start shows.
+// will stand at the end lies ahead of the body, and a contact at this vertex would brake the body.
+// A body that turns less touches the ground with one vertex after the other. Only the orientation
+// at the start of the step shows the contacts of such a body correctly.
 bool turns_over_facets(const RigidBody& body, const RigidState& flown)
 {
-    // The least turn in a step by which a body counts as turning over its facets, as a fraction of
-    // the angle between two of them. With a larger value, wheels that need many steps for a facet
-    // are braked too much. With a smaller one, wheels keep speed that the impacts of their corners
-    // should take. Chosen by trial; tests/classics has wheels that roll.
+    // The smallest rotation in a step with which a body counts as turning over its facets, as a
+    // fraction of the angle between two of them. With a larger value, wheels that need many steps
+    // for a facet are braked too much. With a smaller value, wheels keep speed that the impacts of
+    // their corners should take. Chosen by trial; tests/classics has wheels that roll.
     constexpr double least_turn = 1. / 16;
     double angle = 0; // largest angle between two facets [rad]
     for (const Part& part : body.parts)
@@ -97,10 +97,10 @@ struct ContactSearch {
     const World& world;
     std::vector<Travel> motions; // one for each body
     std::vector<Bounds> bounds;  // one for each body, swept over the step, see `frame_of_bounds`
-    // For each body, the largest of its paths relative to the motions of `frames_of` [m].
+    // For each body, its longest path relative to one of the motions of `frames_of` [m].
     std::vector<double> travels;
     ContactCandidates candidates; // filled in this order: poses and radii, margins, contacts
-    std::vector<Pose> turned;     // poses in which contacts are sought; empty: `candidates.poses`
+    std::vector<Pose> turned;     // poses for the narrow phase; if empty, `candidates.poses`
     double time_step = 0;         // [s]
 };
 
@@ -112,24 +112,24 @@ bool come_near(const ContactSearch& search, const BodyPair& pair, double reach)
     return bounds.overlaps(search.bounds[pair.body2]);
 }
 
-// The margin of body i if it may move by `farthest` [m]: this distance, but at most half the
-// radius of the body. The limit, chosen by trial, keeps one fast body from giving all others
+// The margin of body i if it may move by `farthest` [m]: this distance, but at most half the radius
+// of the body. The limit was chosen by trial; without it, one fast body would give all others
 // margins as large as its own path. If a collision moves a body farther than its margin,
-// step/missed_contacts looks for what lies beyond the margin.
+// step/missed_contacts searches beyond the margin.
 double margin(const ContactSearch& search, int i, double farthest)
 {
     constexpr double most = 0.5; // largest margin, divided by the radius of the body
     return std::min(farthest, most * search.candidates.radii[i]);
 }
 
-// How far an impulse may move a body.
+// The distance by which impulses may move a body in this step.
 struct PossibleTravel {
     int body = 0;
     double distance = 0; // [m]
 };
 
-// Impulses pass from body to body within a step, as along a row of balls. A round computes how far
-// each body whose distance grew in the previous round may push its neighbours.
+// Impulses pass from body to body within a step, as along a row of balls. A round visits each body
+// whose distance grew in the previous round, and computes how far this body may push its neighbors.
 struct ImpulsePropagation {
     const std::vector<ImpulseBody>& bodies;
     std::vector<double> farthest;  // how far each body may move, as found so far [m]
@@ -143,7 +143,7 @@ struct ImpulsePropagation {
             auto [slower, faster] = pair;
             if (!has_changed[slower] && !has_changed[faster]) continue;
             if (farthest[slower] > farthest[faster]) std::swap(slower, faster);
-            if (farthest[faster] <= farthest[slower]) continue; // equal: no motion is passed on
+            if (farthest[faster] <= farthest[slower]) continue; // equal: no push between them
             if (bodies[slower].is_still || bodies[faster].is_still) continue;
             const double passed = speed_transfer(bodies[slower], bodies[faster]) * farthest[faster];
             if (passed <= farthest[slower]) continue;
@@ -155,8 +155,8 @@ struct ImpulsePropagation {
     }
 };
 
-// The margins of all bodies: how far each may move in this step, by itself or because an impulse
-// passes on a share of another body's speed.
+// The margins of all bodies. Each is how far the body may move in this step, by itself or because
+// an impulse passes on a share of another body's speed.
 std::vector<double> margins_of(const ContactSearch& search, const std::vector<BodyPair>& pairs,
                                ThreadPool& pool)
 {
@@ -173,8 +173,9 @@ std::vector<double> margins_of(const ContactSearch& search, const std::vector<Bo
     bodies.reserve(all.size());
     for (const RigidBody& body : all)
         bodies.push_back(impulse_body(search.world, body));
-    // The largest number of bodies in a row through which an impulse passes in a step. More rounds
-    // would widen the margins in longer rows, and take more time. Chosen by trial.
+    // The largest number of bodies in a row through which an impulse passes in a step. With more
+    // rounds, bodies farther along a row would get larger margins, but the rounds would take more
+    // time. Chosen by trial.
     constexpr int most_rounds = 8;
     constexpr std::size_t grain_size = 1024; // least number of pairs in one parallel task
     ImpulsePropagation propagation{bodies, search.travels, std::vector<char>(bodies.size(), true)};
@@ -198,9 +199,9 @@ std::vector<double> margins_of(const ContactSearch& search, const std::vector<Bo
     return margins;
 }
 
-// The swept bounds, enlarged by the motion that impulses may add. It is assumed that each body is
-// hit by a body with the largest travel and the largest mass in the world. So its bounds contain
-// every margin that the propagation of impulses could give it.
+// The swept bounds, enlarged by the motion that impulses may add. The assumption is that each body
+// is hit by a body with the largest travel and the largest mass in the world. So the enlargement is
+// at least as large as any margin that the propagation of impulses could give the body.
 std::vector<Bounds> bounds_with_impulses(const ContactSearch& search, ThreadPool& pool)
 {
     const double fastest = *std::max_element(search.travels.begin(), search.travels.end());
@@ -221,7 +222,7 @@ std::vector<Bounds> bounds_with_impulses(const ContactSearch& search, ThreadPool
 
 // The margins of the fat bounds in the pair cache. They are so large that a body that slows down or
 // rests on others stays within its fat bounds for many steps, and so small that few additional
-// pairs are kept. They change no result. Both numbers were chosen by trial.
+// pairs are kept. No result depends on them. Both numbers were chosen by trial.
 std::vector<double> fat_margins(const ContactSearch& search)
 {
     constexpr double radius_share = 0.1; // share of the body's radius
@@ -306,9 +307,9 @@ ContactSearch start_search(const World& world, std::span<const RigidState> flown
             search.bounds[i].include(body_bounds(body, end));
             const double radius = body.is_static ? body_radius(body) : search.candidates.radii[i];
             const double angle = angle_turned(world, body, body.state, time_step);
-            // During the step a body may reach farther than at its start and its end. If it turns
-            // by at most a right angle, the margin of a body that can be pushed covers this. A
-            // driven body has no margin, so its bounds are enlarged here.
+            // During the step a body may reach farther than at its start and its end. If the body
+            // turns by at most a right angle and can be pushed, its margin covers this. A driven
+            // body has no margin, so its bounds are enlarged here.
             if (angle > std::numbers::pi / 2)
                 for (const Vector3d& X : {search.candidates.poses[i].X, end.X})
                     search.bounds[i].include({X.array() - radius, X.array() + radius});

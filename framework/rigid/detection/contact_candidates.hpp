@@ -8,27 +8,28 @@
 
 namespace rigor {
 
-/// The contacts that may matter in a step, and data about each body that was computed to find them.
+/// The contacts that may close in a step, and data about each body that were computed to find them.
 struct ContactCandidates {
     std::vector<Contact> contacts; // empty if no bodies are near enough to meet in this step
     std::vector<Pose> poses;       // one for each body, at the start of the step
-    // For each body, whether its contacts were found in its orientation at the end of free flight,
-    // with its position at the start of the step. Empty if no body rolls over its facets
+    // For each body, whether its contacts were found with its orientation at the end of free flight
+    // and its position at the start of the step. Empty if no body rolls over its facets
     // (`turns_over_facets` in contact_candidates.cpp).
     std::vector<char> turned;
-    // One margin for each body; empty if no bodies are near each other. A contact cannot matter if
-    // its gap after free flight is at least the sum of the margins of its two bodies [m].
+    // One margin for each body [m]; empty if no bodies are near each other. A contact cannot close
+    // if its gap after free flight is at least the sum of the margins of its two bodies.
     std::vector<double> margins;
     std::vector<double> radii;  // radius of each body about its center of mass; 0 if static [m]
-    std::vector<int> disturbed; // sleeping bodies that wake, since another body may touch them
+    std::vector<int> disturbed; // sleeping bodies that have to wake: another body may touch them
 };
 
-/// Whether two bodies never collide: both are static, or of one group, or a pair law says so.
+/// Whether two bodies never collide: both are static, or both have the same group, or a pair law
+/// says that they pass through each other.
 bool never_collide(const World& world, int i, int j);
 
-/// Finds contact candidates in three stages: the broad phase finds pairs of bodies, the margin of
-/// each body grows by the motion that impulses may add, and the narrow phase finds the contacts.
-/// Changes the world's pair cache and its counters.
+/// Finds contact candidates in three stages. The broad phase finds pairs of bodies. Then each body
+/// gets its margin, a bound of the motion that impulses may add. Last, the narrow phase finds the
+/// contacts. Changes the world's pair cache and its counters.
 ///
 /// @param flown  the states after free flight
 ContactCandidates contact_candidates(World& world, std::span<const RigidState> flown,

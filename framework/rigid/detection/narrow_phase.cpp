@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The narrow phase: contacts of two bodies, part by part. Each pair of shapes is put in a fixed
-// order and handed to the method for its kinds of shapes. Two spheres, and a sphere and a box, are
-// tested here; all other methods are in shapes/. Last, the contacts are sorted by height.
+// The narrow phase: finds the contacts of two bodies, part by part. Each pair of shapes is put in a
+// fixed order and passed to the method for its kinds of shapes. Two spheres, and a sphere and a
+// box, are tested in this file; all other methods are in shapes/. Last, the contacts are sorted by
+// height.
 #include "rigid/detection/narrow_phase.hpp"
 
 #include "geometry/distance/support.hpp"
@@ -69,8 +70,8 @@ SphereBoxGap sphere_box_gap(const Vector3d& half, const Vector3d& c, double radi
     return out;
 }
 
-// A normal between a sphere and a box, and their distance along it now and after the move of the
-// sphere. Negative distances are overlaps.
+// A normal between a sphere and a box, and the distance of the two along this normal, now and after
+// the move of the sphere [m]. Negative distances are overlaps.
 struct NormalAhead {
     Vector3d n;
     double now, then;
@@ -109,8 +110,8 @@ void find_sphere_contacts(const PlacedSphere& sphere, const Box& box, const Pose
     contacts.push_back({sphere.center - sphere.radius * n, n, best.now});
 }
 
-// Whether the shapes are in the order of the variant `Shape`, where sphere, capsule and torus
-// come first and planes last. If not, `find_in_any_order` exchanges the two shapes.
+// Whether the shapes are in the order of the types in the variant `Shape`, where sphere, capsule
+// and torus come first and planes last. If not, `find_in_any_order` exchanges the two shapes.
 bool is_in_order(const Shape& a, const Shape& b)
 {
     return a.index() <= b.index();
@@ -177,8 +178,8 @@ bool is_concave(const Shape& shape)
     return mesh && !mesh->solid->is_convex();
 }
 
-// Two bodies, and the displacement of body 1 relative to body 2 that their velocities give in this
-// step.
+// Whether each of two bodies is still, and the displacement of body 1 relative to body 2 that their
+// velocities give in this step.
 struct MovingPair {
     bool is_still1 = false, is_still2 = false;
     Vector3d move = Vector3d::Zero();
@@ -190,17 +191,18 @@ struct MovingPair {
         if (is_concave(shape1) && (is_still1 || has_core(shape2))) return true;
         return is_concave(shape2) && (is_still2 || has_core(shape1));
     }
-    // The share of `move` by which a contact point moves relative to body 2: the point belongs to
-    // the body that moves, or is in the middle if both move.
+    // The share of `move` by which a contact point moves relative to body 2. If only one body
+    // moves, the point moves with this body. If both move, the share is one half.
     double point_share() const { return is_still2 ? 1 : is_still1 ? 0 : 0.5; }
 };
 
 // Appends the contacts with the part of a concave shape that another shape reaches in this step, as
 // in a bowl, where the wall ahead is steeper than the wall below. Such a contact is found with
 // shape 1 after its move relative to shape 2, and its gap is measured along the same normal before
-// the move. It is kept if the shapes would overlap there, do not overlap there now by more than the
-// slop, and have no other contact with this normal. Without such contacts, a shape would move into
-// the wall, and the position correction would lift the shape, which adds energy.
+// the move. The contact is kept under three conditions: the shapes would overlap there after the
+// move, they do not overlap there now by more than the slop, and they have no other contact with
+// this normal. Without such contacts, a shape would move into the wall, and the position correction
+// would lift the shape, which adds energy.
 //
 // @param first  the contacts of these two shapes start at this index
 void find_contacts_ahead(const Shape& shape1, const Pose& pose1, const Shape& shape2,
@@ -233,7 +235,7 @@ void find_contacts_ahead(const Shape& shape1, const Pose& pose1, const Shape& sh
     }
 }
 
-// The name of the body that has the shape, whose level set was sampled.
+// The name of the body to which the shape belongs.
 const std::string& owner(const RigidBody& body1, const RigidBody& body2, const Shape* shape)
 {
     for (const Part& part : body1.parts)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far bodies move in a step, relative to each other and never to the origin of the world. So a
-// scene that moves at a constant velocity gives the same distances as at rest.
+// Computes how far bodies move in a step, relative to each other and never to the origin of the
+// world. So a scene that moves at a constant velocity gives the same distances as at rest.
 #include "rigid/detection/travel.hpp"
 
 #include "rigid/bodies/orientation.hpp"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Contacts of two boxes by the separating axis test of Gottschalk, Lin and Manocha (1996). Of the
-// six face normals and the nine cross products of edges, it takes the axis with the largest
-// separation; of nearly equal ones, a face rather than edges. If the boxes are apart along this
-// axis now but overlap at the end of the step, it prefers a face that separates them now and along
-// whose normal they will overlap less. Last, it clips the nearest face of the other box against the
-// chosen face (Sutherland and Hodgman 1974), or takes the closest points of the two edges.
+// Finds the contacts of two boxes by the separating axis test of Gottschalk, Lin and Manocha
+// (1996). Of the six face normals and the nine cross products of edges, the test takes the axis
+// with the largest separation; of nearly equal axes, it takes a face rather than edges. If the
+// boxes are apart along this axis now but overlap at the end of the step, the code prefers a face
+// that separates them now and along whose normal they will overlap less. Last, it clips the nearest
+// face of the other box against the chosen face (Sutherland and Hodgman 1974), or takes the closest
+// points of the two edges.
 #include "rigid/detection/shapes/box_box.hpp"
 
 #include "rigid/bodies/inlined_product.hpp"
@@ -18,14 +19,14 @@ namespace rigor {
 
 namespace {
 
-// Squared sine of the angle below which two edges count as parallel, 0.06°. A face then separates
-// the boxes as well as the edges do.
+// Square of the sine of the angle below which two edges count as parallel; the angle is 0.06°. A
+// face then separates the boxes as well as the edges do.
 constexpr double parallel_squared = 1e-6;
 // Distance from a border that counts as rounding, relative to half the width of the face.
 constexpr double border_rounding = 1e-9;
-// An axis is clearly better than another axis if its separation is larger by this multiple of
-// the smallest half edge of both boxes. Otherwise a face is preferred to edges and the larger face
-// to the smaller one, so that a box at rest keeps its kind of contact from step to step.
+// An axis is clearly better than another axis if its separation is larger by this multiple of the
+// smallest half edge of both boxes. Otherwise a face is preferred to edges, and the larger face to
+// the smaller one, so that a box at rest keeps its kind of contact from step to step.
 constexpr double clear_difference = 0.01;
 
 // A box in world space; its axes are the columns of R.
@@ -34,18 +35,19 @@ struct PlacedBox {
     Vector3d center, half;
 };
 
-// An axis that may separate the boxes: its direction, a unit vector, and the distance of the boxes
-// along it. It is an axis of one box (`axis1`), or perpendicular to an axis of box 1 (`axis1`) and
-// to an axis of box 2 (`axis2`).
+// An axis that may separate the boxes: its direction, a unit vector, and the separation of the
+// boxes along it [m], negative if they overlap. The axis is the normal of a face of one box, which
+// has the index `axis1` in this box. Or it is perpendicular to an edge of box 1 along its axis
+// `axis1` and to an edge of box 2 along its axis `axis2`.
 struct Axis {
     double separation = -std::numeric_limits<double>::infinity();
     int axis1 = 0, axis2 = 0;
     Vector3d direction = Vector3d::Zero();
 };
 
-// Numbers that the test of each axis needs: C = AᵀB with the axes of boxes a and b as the
-// columns of A and B, |C| by elements, and the vector from the center of a to that of b in the
-// frame of each box.
+// Quantities that the test of each axis needs: C = AᵀB, where the columns of A and B are the axes
+// of boxes a and b; the absolute values of the elements of C; and the vector from the center of a
+// to that of b in the frame of each box.
 struct RelativePose {
     Matrix3d C, C_abs;
     Vector3d d_a, d_b;
@@ -98,7 +100,7 @@ Axis best_other_face(const PlacedBox& a, const PlacedBox& b, const RelativePose&
 // The pair of edges with the largest separation (Gottschalk, Lin and Manocha 1996), if it is larger
 // than `least`; otherwise an axis with the separation `least` and without a direction. The
 // direction points from a to b. Parallel edges are skipped, since a face then separates the boxes
-// as well as they do.
+// as well as the edges do.
 Axis best_edges(const PlacedBox& a, const PlacedBox& b, const RelativePose& of, double least)
 {
     Axis best;
@@ -123,7 +125,7 @@ Axis best_edges(const PlacedBox& a, const PlacedBox& b, const RelativePose& of, 
     return best;
 }
 
-// A face that separates the boxes now, and the separation along its normal after the move.
+// A face that separates the boxes now, and the separation along its normal after the move [m].
 struct FaceAhead {
     double separation = -std::numeric_limits<double>::infinity();
     Axis axis;
@@ -154,8 +156,9 @@ struct FaceAhead {
     return best;
 }
 
-// A polygon with at most 8 vertices, in the frame of the reference face. The face is |x| ≤ a,
-// |y| ≤ b with its half edges a and b, and z is the height above it.
+// A polygon with at most 8 vertices, in the frame of the reference face. In this frame, the face is
+// |x| ≤ a, |y| ≤ b, where a and b are half the lengths of its edges, and z is the height above the
+// face.
 struct Polygon {
     std::array<Vector3d, 8> vertices; // the first `size` are set
     int size = 0;
@@ -189,7 +192,8 @@ void clip(Polygon& polygon, int axis, double sign, double limit)
     polygon = kept;
 }
 
-// The face of `box` that faces most against the third axis of the frame (R, origin), in that frame.
+// The face of `box` whose outward normal is most opposite to the third axis of the frame (R,
+// origin). The result is in this frame.
 Polygon incident_face(const PlacedBox& box, const Matrix3d& R, const Vector3d& origin)
 {
     Matrix3d A; // Rᵀ R_box, the axes of the box in the frame
@@ -212,8 +216,8 @@ Polygon incident_face(const PlacedBox& box, const Matrix3d& R, const Vector3d& o
     return face;
 }
 
-// Clips the incident face of `other` against the face of `reference` that `axis` names. The
-// reference face is first extended towards the side that `other` comes from, along each of its
+// Clips the incident face of `other` against the face of `reference` that `axis` names. Before
+// that, the reference face is extended towards the side from which `other` comes, along each of its
 // edges by the component of the move.
 // @param normal  contact normal, from box 2 to box 1
 // @param move    displacement of `other` relative to `reference` in this step, or zero: then the
@@ -333,8 +337,8 @@ void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, cons
     const PlacedBox &reference = is_first ? a : b, &other = is_first ? b : a;
     const std::size_t before = contacts.size();
     find_face_contacts(reference, other, face, normal, comes, reach, contacts);
-    // Boxes that move towards each other diagonally may not face each other yet, so that the
-    // clipping leaves nothing of the face. Then the face is extended by the move.
+    // Boxes that move towards each other diagonally may not face each other yet, so that clipping
+    // removes the whole face. Then the reference face is extended by the move.
     if (contacts.size() > before || then >= -slop || !overlap_after(a, b, move)) return;
     comes = is_first ? Vector3d(-move) : move;
     find_face_contacts(reference, other, face, normal, comes, reach, contacts);

@@ -11,18 +11,19 @@ namespace rigor {
 ///
 /// The separating axis test with the 15 axes of Gottschalk, Lin and Manocha (1996, "OBBTree: a
 /// hierarchical structure for rapid interference detection") finds the axis along which the boxes
-/// are farthest apart or overlap least. If it is the normal of a face, the nearest face of the
-/// other box is clipped against this face, and the up to 8 corners of the polygon are the contacts.
-/// If it belongs to two edges, their closest points make the contact. A face is preferred to a
-/// pair of edges, and the larger of two faces to the smaller one, unless the other axis is clearly
-/// better. No corner closer than `reach` is left out. So a box at rest keeps its contacts from step
-/// to step.
+/// are farthest apart or overlap least. If this axis is the normal of a face, the nearest face of
+/// the other box is clipped against this face, and the corners of the resulting polygon, at most 8,
+/// are the contacts. If the axis belongs to two edges, the closest points of the edges make the
+/// contact. A face is preferred to a pair of edges, and the larger of two faces to the smaller one,
+/// unless the other axis is clearly better. Every corner closer than `reach` is kept. So a box at
+/// rest keeps its contacts from step to step.
 ///
-/// The boxes may be apart now but overlap along that axis at the end of the step. If another face
-/// separates them now and they would overlap less along its normal, that face is used instead. So a
-/// box that slides over the joint between two others stays on top of them and does not run into the
-/// side of the second one. If the boxes do not face each other now but will overlap, as boxes that
-/// meet edge to edge, the face is extended by the displacement of the other box.
+/// The boxes may be apart along this axis now but overlap along it at the end of the step. If
+/// another face separates them now and they would overlap less along its normal, this other face is
+/// used instead. So a box that slides over the joint between two others stays on top of them and
+/// does not run into the side of the second one. The boxes may also not face each other now but
+/// overlap at the end of the step, as boxes that meet edge to edge. Then the face is extended by
+/// the displacement of the other box.
 ///
 /// @param move  displacement of box 1 relative to box 2 in this step, without forces or contacts
 ///              [m]

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Contacts of two convex shapes. First it finds their closest points, or the direction in which
-// they separate soonest, and with it the contact normal. It then projects the features (a point, a
-// segment or a face) that both shapes turn to each other along the normal and clips one against the
-// other (Sutherland and Hodgman 1974). Each corner of the result is a contact with its own gap.
+// Finds the contacts of two convex shapes. First the code finds their closest points or, if they
+// overlap, the shortest move that separates them; this gives the contact normal. Then it projects
+// along the normal the features (a point, a segment or a face) that both shapes turn to each other,
+// and clips one against the other (Sutherland and Hodgman 1974). Each corner of the result is a
+// contact with its own gap.
 #include "rigid/detection/shapes/convex_contact.hpp"
 
 #include "geometry/distance/separation.hpp"
@@ -32,8 +33,8 @@ constexpr double crossing_sine = 0.1;
 // origin of shape 1. A smaller difference may be an error of the search for the closest points.
 constexpr double gap_tolerance = 1e-6;
 
-// A feature projected along the contact normal: places in the tangent plane, and heights along the
-// normal.
+// A feature projected along the contact normal: `places` are positions in the tangent plane, and
+// `heights` are positions along the normal [m].
 struct Outline {
     std::vector<Vector2d> places;
     std::vector<double> heights;
@@ -85,7 +86,8 @@ Outline outline(const Feature& feature, const Matrix3d& frame, const Vector3d& o
     return o;
 }
 
-// At a place, the height of the plane through an outline, or of the line through a segment.
+// The height of an outline at a place: that of the plane through a polygon, or of the line through
+// a segment.
 double height_at(const Outline& o, const Vector2d& place)
 {
     const Vector2d p = place - o.places[0];
@@ -157,7 +159,7 @@ Outline common(const Outline& a, const Outline& b)
     return o;
 }
 
-// The region where both features face each other, with heights on feature 1. It is empty if a
+// The region where both features face each other, with the heights of feature 1. It is empty if a
 // feature is a point, if two segments cross, or if the features do not face each other.
 Outline overlap(const Outline& a, const Outline& b)
 {
@@ -182,8 +184,8 @@ bool contains(const Outline& polygon, const Vector2d& place)
 }
 
 // The vertices of a mesh that stands for a round body (its `facet_angle` is not 0). Within a step,
-// such a body can roll from the facet that faces the other shape to the next facets. The list is
-// empty for other shapes.
+// such a body can roll from the facet that faces the other shape to the next facets. For other
+// shapes, the result is empty.
 std::span<const Vector3d> vertices_of_round(const Shape& shape)
 {
     const Mesh* mesh = std::get_if<Mesh>(&shape);
@@ -209,8 +211,8 @@ Vector3d nearest_middle(const Separation& nearest, const Feature& feature1, cons
 void find_convex_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                           const Pose& pose2, double reach, std::vector<Contact>& contacts)
 {
-    // Computed in the frame of shape 2, so that no digits are lost far from the origin of the
-    // world.
+    // All contacts are computed in the frame of shape 2, so that no digits are lost far from the
+    // origin of the world.
     const Matrix3d to_2 = pose2.R.transpose();
     const Pose pose{to_2 * pose1.R, to_2 * (pose1.X - pose2.X)};
     const Separation nearest = separation(shape1, pose, shape2, reach);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Contacts of shapes that are a core (a point, a segment or a circle) with a radius around it:
-// spheres, capsules and tori; other engines call such shapes rounded. The distance of the other
-// shape is sampled along the core, and each minimum of the samples is refined by golden section
-// search (Kiefer 1953). Balls on a torus or a mesh have methods of their own. For a capsule or a
-// torus on a mesh, contacts at the points of the mesh are added.
+// Finds the contacts of shapes that are a core (a point, a segment or a circle) with a radius
+// around it: spheres, capsules and tori; other engines call such shapes rounded. The distance of
+// the other shape is sampled along the core, and each minimum of the samples is refined by golden
+// section search (Kiefer 1953). Spheres on a torus or a mesh have methods of their own. For a
+// capsule or a torus on a mesh, contacts at the points of the mesh are added.
 #include "rigid/detection/shapes/core_contact.hpp"
 
 #include "geometry/shapes/solid_mesh.hpp"
@@ -22,14 +22,14 @@ namespace rigor {
 namespace {
 
 // Number of samples along a segment (the ends of 16 equal intervals) and around a circle (7.5°
-// apart). A local minimum is found if a sample near it is lower than the two samples beside it. A
-// dip that is narrower than the spacing may be missed. More samples take more time; the numbers
-// were chosen by trial.
+// apart). A local minimum of the gap is found if a sample near it is lower than the two samples
+// beside this sample. A minimum in an interval narrower than the spacing may be missed. More
+// samples take more time; the numbers were chosen by trial.
 constexpr int segment_samples = 17, circle_samples = 48;
 constexpr int golden_steps = 42; // they shorten an interval to 0.618⁴² = 2e-9 of its length
-// A minimum between two samples becomes another contact only if its gap is smaller than the gap at
-// the sample by more than this fraction of the core's length. A smaller difference may be a search
-// error.
+// A minimum between two samples becomes one more contact only if its gap is smaller than the gap at
+// the sample by more than this fraction of the core's length. A smaller difference may be an error
+// of the search.
 constexpr double least_improvement = 1e-9;
 
 // A core curve with a radius around it, in the frame of the other shape.
@@ -115,8 +115,8 @@ public:
             gaps.push_back(gap(i * step));
             least = std::min(least, gaps.back());
         }
-        // Between two samples, the gap is smaller than at the nearer one by at most half the
-        // distance of the two.
+        // Between two samples, the gap is smaller than at the nearer sample by at most half the
+        // distance between the samples.
         if (least - core_.meters() / n - field_.uncertainty() >= reach_) return;
         const std::size_t first = contacts_.size();
         const bool is_ring = core_.is_closed;
@@ -136,9 +136,10 @@ public:
 private:
     double gap(double s) const { return field_.ball_distance(core_.at(s), core_.radius); }
 
-    // Adds points of a ring: eight fixed points if the other shape is equally near everywhere, else
-    // the nearest point and the three at quarters of a turn from it. Fixed points of a ring that
-    // rolls would hit the other shape one after the other like the spokes of a wheel without a rim.
+    // Adds points of a circle as contacts: eight fixed points if the other shape is equally near
+    // everywhere, otherwise the point nearest to the other shape and the three points at quarters
+    // of a turn from it. Fixed points of a torus that rolls would hit the other shape one after the
+    // other like the spokes of a wheel without a rim.
     // @return the parameter of the nearest point
     double add_around_lowest(const std::vector<double>& gaps, double step)
     {
@@ -178,9 +179,9 @@ private:
     std::vector<Contact>& contacts_;
 };
 
-// The contacts of a ball on a ring (torus). The circle of the ring is the core. Three points on it
-// are tested, 120° apart with one of them nearest to the ball, so that a ball over the hole rests
-// on three points.
+// The contacts of a ball on a torus, whose core is a circle. Three points on this circle are
+// tested, 120° apart, one of them nearest to the ball, so that a ball over the hole rests on three
+// points.
 void find_ball_torus_contacts(const Sphere& sphere, const Vector3d& center, const Torus& torus,
                               const Pose& pose, double reach, std::vector<Contact>& contacts)
 {

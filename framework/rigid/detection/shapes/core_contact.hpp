@@ -8,11 +8,11 @@
 
 namespace rigor {
 
-/// Appends the contacts of a sphere, a capsule or a torus with another shape that is closer than
-/// `reach`.
+/// Appends the contacts of a sphere, a capsule or a torus with another shape, if they are closer
+/// than `reach`.
 ///
-/// Shape 1 is a core (a point, a segment, a circle) with a radius around it. Its contacts are
-/// these, where their gap is below `reach`. If there are many, they are reduced to a few
+/// Shape 1 is a core (a point, a segment, a circle) with a radius around it. The following contacts
+/// are found, if their gap is below `reach`. If there are many, they are reduced to a few
 /// (reduce_contacts.hpp).
 ///
 ///   * A sphere: where the other shape is nearest. With a mesh, at each local minimum of the
@@ -24,8 +24,9 @@ namespace rigor {
 ///     contacts on all sides.
 ///
 /// A contact lies on the surface of shape 1, and its normal passes through the core. There are two
-/// exceptions. The contacts of a sphere with a torus lie in the middle of the gap. So do contacts
-/// at points of a mesh, whose normal is one of the mesh (mesh_contact.hpp).
+/// exceptions. The contacts of a sphere with a torus lie in the middle of the gap. Contacts at
+/// points of a mesh lie in the middle of the gap too, and their normal is a normal of the mesh
+/// (mesh_contact.hpp).
 ///
 /// @param shape1  a sphere, a capsule or a torus
 /// @param shape2  anything but a plane

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Signed distance from a shape: for a mesh by its level set, for other shapes exact. For a ball,
-// the level set is sampled at the center if this lies inside the grid. Otherwise it is sampled on
-// the way from the center to the nearest triangle, about a cell before the surface, and the
-// length of the way up to there is added.
+// the level set is sampled at the center of the ball if the center lies inside the grid. Otherwise
+// it is sampled on the way from the center to the nearest triangle, about a cell before the
+// surface, and the length of the way to this point is added.
 #include "rigid/detection/shapes/distance_field.hpp"
 
 #include "formulas/collision.hpp"
@@ -14,12 +14,13 @@ namespace rigor {
 
 namespace {
 
-// A correct gradient points away from the surface, so against the way to the surface. If the
-// cosine of the angle between the two is below this value (the angle is above 120°), the gradient
-// counts as correct, and the exact direction replaces it.
+// A correct gradient points away from the surface, so it is opposite to the way to the surface. If
+// the cosine of the angle between the two is below this value (the angle is above 120°), the
+// gradient counts as correct, and the exact direction replaces it.
 constexpr double points_back = -0.5;
 // Largest error of a correct `sample_level_set` about a cell before the surface, divided by the
-// size of a cell. Linear interpolation of a distance is off by less, even at an edge or a vertex.
+// size of a cell. The error of linear interpolation of a distance is smaller, even at an edge or a
+// vertex.
 constexpr double grid_error = 0.5;
 constexpr double no_bound = -1e300; // a lower bound of every distance [m]
 
@@ -77,10 +78,10 @@ SurfaceDistance DistanceField::ball_towards(const Vector3d& center, double radiu
     const double way = way_to_grid(away);
     const Vector3d p = center + way * d, gradient = normal(p);
     const double phi = distance(p);
-    // Values of the formulas that are correct up to the error of the grid are replaced by the exact
-    // direction and distance. A ball that rolls over triangles with the normal of one surface and
-    // the distance from another would gain energy. Wrong values of the formulas are kept, so that
-    // the simulation shows the mistake.
+    // If the values of the formulas are correct up to the error of the grid, the exact direction
+    // and distance replace them. A ball that rolls over triangles with the normal of one surface
+    // and the distance from another would gain energy. Wrong values of the formulas are kept, so
+    // that the simulation shows the mistake.
     const bool is_right_direction = gradient.dot(d) < points_back;
     const bool is_right_distance = std::abs(phi - (away - way)) < grid_error * grid_->cell_size;
     return {(is_right_direction && is_right_distance ? away : phi + way) - radius,

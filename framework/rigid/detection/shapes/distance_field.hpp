@@ -28,25 +28,25 @@ public:
     /// For a ball near the surface of the shape: the distance between the two surfaces, and the
     /// outward normal of the shape on the line through the ball's center.
     ///
-    /// If the center is inside the grid of a mesh, the level set is sampled there. Outside, the
-    /// level set gives little more than the distance to the grid. So it is sampled on the way from
-    /// the center to the nearest triangle.
+    /// If the center is inside the grid of a mesh, the level set is sampled at the center. Outside
+    /// the grid, the level set gives little more than the distance to the grid. So it is sampled at
+    /// a point between the center and the nearest triangle.
     SurfaceDistance ball(const Vector3d& center, double radius) const;
     /// The distance of `ball` without its normal.
     double ball_distance(const Vector3d& center, double radius) const;
 
     /// For a mesh only: the distance and the normal of a ball, as `ball` finds them for a center
-    /// outside the grid. But the level set is sampled on the way to the point `target` of the
-    /// surface instead of the nearest point.
+    /// outside the grid. But the level set is sampled between the center and the point `target` of
+    /// the surface, instead of the nearest point.
     SurfaceDistance ball_towards(const Vector3d& center, double radius,
                                  const Vector3d& target) const;
 
-    /// For a mesh, the distance to its bounds, computed without a formula: outside the bounds a
-    /// lower bound of `distance`, inside them 0, although `distance` may be negative there. For any
-    /// other shape, a number below every distance.
+    /// For a mesh, the distance to its bounds, computed without a formula. Outside the bounds it is
+    /// a lower bound of `distance`. Inside the bounds it is 0, although `distance` may be negative
+    /// there. For any other shape, a number below every distance.
     double at_least(const Vector3d& p) const;
-    /// An error bound of the distance where its gradient changes direction within a cell; 0 if the
-    /// distance is exact [m].
+    /// An error bound of the distance at places where the gradient of the distance changes its
+    /// direction within a cell; 0 if the distance is exact [m].
     double uncertainty() const { return grid_ ? grid_->cell_size : 0; }
 
 private:

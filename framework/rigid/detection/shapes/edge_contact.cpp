@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Contacts between the sharp edges of two shapes. For each edge of shape 1, a bounding tree gives
-// the edges of the mesh near it. Two edges make a contact if the closest points of their lines lie
-// on both edges and the normal lies between the normals of the faces at each edge.
+// Finds the contacts between the sharp edges of two shapes. For each edge of shape 1, a bounding
+// tree gives the edges of the mesh near it. Two edges make a contact if the closest points of their
+// lines lie on both edges and the normal lies between the normals of the two faces at each edge.
 #include "rigid/detection/shapes/edge_contact.hpp"
 
 #include "geometry/shapes/pose.hpp"
@@ -13,13 +13,13 @@ namespace rigor {
 
 namespace {
 
-// Sine of the smallest angle at which two edges make a contact, about 3°. At smaller angles, their
-// end points make the contacts instead, because the closest points of almost parallel lines move
-// far if a body rotates a little. Chosen by trial.
+// Sine of the smallest angle at which two edges make a contact; the angle is about 3°. At smaller
+// angles, the end points of the edges make the contacts instead, because the closest points of
+// almost parallel lines move far if a body rotates a little. Chosen by trial.
 constexpr double parallel = 0.05;
 constexpr double rounding = 1e-6; // relative rounding error of a direction
-// Deepest overlap that makes a contact of edges, relative to the longest side of the bounds of the
-// mesh's edges. Deeper overlaps are left to the surface points, where the level set gives the
+// Deepest overlap at which two edges make a contact, relative to the longest side of the bounds of
+// the mesh's edges. Deeper overlaps are left to the surface points, where the level set gives the
 // nearest way out. Chosen by trial.
 constexpr double deepest_share = 0.05;
 

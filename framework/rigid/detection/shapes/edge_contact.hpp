@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// Appends the contacts of sharp edges of shape 1 with sharp edges of a mesh that they cross at a
-/// distance below `reach`.
+/// Appends the contacts of sharp edges of shape 1 with sharp edges of a mesh, where two edges cross
+/// at a distance below `reach`.
 ///
 /// The normal of such a contact is perpendicular to both edges. Two edges make a contact only if
 /// the angle between them is above 3°, and if the plane perpendicular to the normal separates the

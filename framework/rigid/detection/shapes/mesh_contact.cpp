@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Contacts of a mesh with another solid shape. The surface points of each shape are tested in the
-// distance field of the other (Guendelman, Bridson and Fedkiw 2003), where a bounding tree skips
-// points that are far away. Contacts of sharp edges are added. If the shapes overlap and no contact
-// says so, for example because a thin bar has pierced a wall, the deepest of all tested points
-// becomes a contact. The result is reduced to a few contacts.
+// Finds the contacts of a mesh with another solid shape. The surface points of each shape are
+// tested in the distance field of the other (Guendelman, Bridson and Fedkiw 2003), where a bounding
+// tree skips points that are far away. Contacts of sharp edges are added. If the shapes overlap but
+// no contact has a negative gap, for example because a thin bar has pierced a wall, the deepest of
+// all tested points becomes a contact. The result is reduced to a few contacts.
 #include "rigid/detection/shapes/mesh_contact.hpp"
 
 #include "geometry/distance/signed_distance.hpp"
@@ -23,8 +23,8 @@ namespace rigor {
 namespace {
 
 // If the distance of a node of the tree from the shape is larger than this multiple of the node's
-// radius, only one of its points is tested. With a smaller value fewer points are tested, but the
-// points that are not tested may be much nearer than the tested one.
+// radius, only one point of the node is tested. With a smaller value fewer points are tested, but
+// the untested points may be much nearer than the tested one.
 constexpr double far = 6;
 // Two lengths, divided by the spacing of the surface points. A node of the tree with a radius below
 // `small_node` has one contact, at its nearest point. Two points are equally near if their
@@ -111,7 +111,8 @@ private:
         gradients_.push_back(gradient);
     }
 
-    // Removes those contacts of a mesh that stands for a round body for which all of this holds:
+    // Removes the contacts of a mesh that stands for a round body for which all of these conditions
+    // hold:
     //   1. The contact has a gap.
     //   2. Its normal differs from the gradient by more than `SolidMesh::facet_angle`.
     //   3. Another contact at the same flat face has a smaller gap, and a normal that differs from
@@ -156,16 +157,16 @@ Pose inverse(const Pose& pose)
     return {pose.R.transpose(), -(pose.R.transpose() * pose.X)};
 }
 
-// The contact of a point that lies in a field's shape, in the frame of the field. The normal points
-// along the nearest way out.
+// The contact of a point that lies inside a field's shape, in the frame of the field. The normal is
+// the gradient of the distance, which points along the nearest way out.
 Contact contact_of_deepest(const DeepestPoint& deepest, const DistanceField& field)
 {
     const Vector3d n = field.normal(deepest.point);
     return {deepest.point - deepest.gap / 2 * n, n, deepest.gap};
 }
 
-// Converts a contact in the frame of shape 1, with a normal from 1 to 2, to a contact in the
-// frame of shape 2, with a normal from 2 to 1.
+// Converts a contact from the frame of shape 1, with a normal from 1 to 2, to the frame of shape 2,
+// with a normal from 2 to 1.
 Contact seen_from_2(const Contact& contact, const Pose& from_1)
 {
     return {from_1 * contact.point, -(from_1.R * contact.normal), contact.gap};

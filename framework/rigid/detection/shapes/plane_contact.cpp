@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Contacts of a shape with a plane, in closed form. For each kind of shape it tests the points that
-// can be lowest: vertices, ends, or points of a circle. Each of these points that is closer than
-// the reach is a contact.
+// Finds the contacts of a shape with a plane, in closed form. For each kind of shape, the code
+// tests the points that can be lowest: vertices, ends, or points of a circle. Each of these points
+// that is closer than the reach is a contact.
 #include "rigid/detection/shapes/plane_contact.hpp"
 
 #include "geometry/distance/support.hpp"
@@ -71,12 +71,13 @@ private:
         if (distance < reach_) contacts_.push_back({pose_ * p - radius * n_, n_, distance});
     }
 
-    // Adds points of a circle about y: eight fixed points if it lies flat, else the lowest point
-    // and the three at quarters of a turn from it. Fixed points of a circle that rolls would hit
-    // the plane one after the other like the spokes of a wheel without a rim.
+    // Adds points of a circle about y: eight fixed points if the circle is parallel to the plane,
+    // otherwise the lowest point and the three points at quarters of a turn from it. Fixed points
+    // of a circle that rolls would hit the plane one after the other like the spokes of a wheel
+    // without a rim.
     void add_circle(double radius, double height, double tube) const
     {
-        constexpr double flat = 1e-6; // largest sine of a slope that counts as flat
+        constexpr double flat = 1e-6; // sine of the largest angle that counts as parallel
         const double slope = std::hypot(down_.x(), down_.z());
         const bool is_flat = !(slope > flat);
         const double first = is_flat ? 0 : std::atan2(down_.z(), down_.x());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reduction of many contacts to a few that are spread over the contact region. It starts with the
+// Reduces many contacts to a few that are spread over the contact region. The code starts with the
 // outermost of the deepest contacts and then repeatedly adds the contact that is farthest from
 // those already chosen, weighted by depth. Last, each chosen contact is replaced by the deepest of
 // the contacts that are nearer to it than to any other chosen contact.
@@ -17,15 +17,16 @@ namespace {
 // Contacts are equally deep if their gaps differ by less than this multiple of the extent of the
 // contact region. Rounding and solver errors have this size.
 constexpr double as_deep = 1e-5;
-// Two distances are equal if they differ by less than this fraction. Then the first contact is
+// Two distances count as equal if they differ by less than this fraction. Then the first contact is
 // taken, so that rounding does not decide.
 constexpr double equal_distance = 1e-9;
-// Weight of the squared difference of two normals, in the squared distance of two contacts. The
-// squared distance of their points, divided by the square of the extent of all contact points, has
-// weight 1. So opposite normals count as much as points at opposite ends of the contact region.
+// Weight of the squared difference of two normals in the squared distance of two contacts. The
+// other part, with weight 1, is the squared distance of their points divided by the square of the
+// extent of all contact points. So opposite normals count as much as points at opposite ends of the
+// contact region.
 constexpr double normal_weight = 0.25;
 constexpr double least_extent = 1e-300; // avoids 0/0 if all points are equal [m]
-constexpr double not_chosen = 1e300;    // the distance to the chosen contacts if there are none
+constexpr double not_chosen = 1e300;    // distance to the nearest chosen contact if there is none
 
 // Chooses the contacts that are kept.
 class Selection {
@@ -73,8 +74,8 @@ private:
         return range > 0 ? (reach_ - contacts_[i].gap) / range : 1;
     }
 
-    // The distance of two contacts. It grows with the distance of their points, divided by the
-    // extent, and with the difference of their normals.
+    // The distance of two contacts, without unit. It grows with the distance of their points,
+    // divided by the extent, and with the difference of their normals.
     double difference(int i, int j) const
     {
         const Contact &a = contacts_[i], &b = contacts_[j];
@@ -89,7 +90,7 @@ private:
         for (int i = 0; i < size(); ++i) {
             if (contacts_[i].gap > deepest_ + as_deep * extent_) continue;
             const double d = (contacts_[i].point - middle_).norm();
-            if (d <= farthest * (1 + equal_distance)) continue; // the first of equal ones stays
+            if (d <= farthest * (1 + equal_distance)) continue; // the first of equal ones is kept
             farthest = d;
             best = i;
         }

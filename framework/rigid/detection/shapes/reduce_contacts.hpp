@@ -5,9 +5,9 @@
 
 namespace rigor {
 
-/// The number of contacts of two shapes that `reduce_contacts` keeps at most, unless a caller gives
-/// another number. More would take more time in the solver, fewer would represent a large contact
-/// region worse.
+/// The largest number of contacts of two shapes that `reduce_contacts` keeps, unless a caller gives
+/// another number. With more contacts, the solver would take more time; with fewer, a large contact
+/// region would be represented less well.
 inline constexpr std::size_t most_contacts = 8;
 
 /// Keeps at most `most` of the contacts from index `first` on, spread over the region of contact.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Contacts of a convex shape with the shape of a distance field. From points spread over the
-// surface, an iteration goes to the point of the surface that lies farthest against the field's
-// gradient, until the gradient there no longer changes. The points where the iterations end are
-// local minima of the field on the surface. Each of them that is close enough is a contact.
+// Finds the contacts of a convex shape with the shape to which a distance field belongs. From
+// points spread over the surface, an iteration goes to the point of the surface that lies farthest
+// against the field's gradient, until the gradient there no longer changes. The points where the
+// iterations end are local minima of the field on the surface. Each of them that is close enough is
+// a contact.
 #include "rigid/detection/shapes/smooth_contact.hpp"
 
 #include "geometry/distance/support.hpp"
@@ -17,13 +18,14 @@ namespace {
 
 constexpr double alike = 0.98; // least cosine of directions that count as the same, 11°
 constexpr int most_steps = 4;  // limits an iteration whose gradient goes on turning
-// An iteration has converged if 1 - cosine of the angle between its last two gradients is smaller.
+// An iteration has converged if 1 - cosine of the angle between its last two gradients is below
+// this value.
 constexpr double converged = 1e-12;
 constexpr double zero_length = 1e-9; // a sum of parts of unit vectors that is shorter is only a
                                      // rounding error
 
-// Of the outward normals of a convex shape at a point p of its surface, the one closest to the
-// direction d.
+// At a point p of the surface of a convex shape, the outward normal that is closest to the
+// direction d. (At an edge or a corner there are several outward normals.)
 struct NormalAt {
     const Vector3d& p;
     const Vector3d& d;
@@ -33,8 +35,8 @@ struct NormalAt {
     static constexpr double rounding = 1e-9;
     static constexpr double on_it = 1 - rounding;
 
-    // The sum of the parts of d along orthogonal normals, without the parts that are opposite to a
-    // normal, as a unit vector; the first normal if the sum is zero.
+    // The unit vector along the sum of the parts of d along orthogonal normals, without the parts
+    // that are opposite to a normal. It is the first normal if the sum is zero.
     static Vector3d sum(std::initializer_list<Vector3d> normals, const Vector3d& d)
     {
         Vector3d n = Vector3d::Zero();
@@ -93,7 +95,7 @@ struct NormalAt {
 };
 
 // Points spread over the surface, one for each of 26 directions: the middle of the face, edge or
-// point that is turned towards this direction.
+// point that lies farthest in this direction.
 std::vector<Vector3d> seeds(const Shape& shape)
 {
     std::vector<Vector3d> points;

@@ -8,17 +8,19 @@
 
 namespace rigor {
 
-/// Least cosine between a contact normal and the gradient of the other shape's distance, 73°. Below
-/// it, a point belongs to the far side of the shape or of a thin wall. Chosen by trial.
+/// Smallest cosine of the angle between a contact normal and the gradient of the other shape's
+/// distance; the largest angle is 73°. At a larger angle, a point belongs to the far side of the
+/// shape or of a thin wall. Chosen by trial.
 inline constexpr double least_opposition = 0.3;
 
-/// Appends the contacts where the surface of a convex shape is closer than `reach` to the shape of
-/// a distance field.
+/// Appends the contacts where the surface of a convex shape is closer than `reach` to the shape to
+/// which a distance field belongs.
 ///
-/// The iteration starts from points spread over the surface. Each step goes to the point of the
-/// surface (or the ends of the face or line) that lies farthest against the field's gradient, until
-/// the direction of the gradient no longer changes. The points where it ends are local minima of
-/// the field on the surface.
+/// The iteration starts from points spread over the surface. Each step takes the field's gradient
+/// at the current point and goes to the point of the surface that lies farthest in the opposite
+/// direction. If a whole face or line lies there, the step goes to its corner nearest to the
+/// field's shape. The iteration ends when the direction of the gradient no longer changes, or after
+/// four steps. The points where it ends are local minima of the field on the surface.
 ///
 /// @param shape  a box, a cylinder, a cone or an ellipsoid
 /// @param pose   pose of the shape in the frame of the field; the contacts are in this frame too,
