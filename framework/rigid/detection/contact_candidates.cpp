@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Finds the contact candidates of a step: all pairs of points that may touch before it ends. The
 // bounds of each body are swept over its free flight, and the broad phase finds the pairs whose
-// bounds overlap. The margin of a body is a bound of how far impulses may move it; impulses that
-// pass from body to body make it larger. The narrow phase then finds the contacts whose gap is
-// below the sum of the relative path and both margins. All motion is measured relative to other
-// bodies and never to the origin of the world, so a scene that moves at a constant velocity has the
-// same contacts as at rest. The search also lists sleeping bodies that another body may touch,
-// since they have to wake before the step goes on.
+// bounds overlap. The margin of a body is how far the body may move in this step, but at most half
+// its radius; impulses that pass from body to body make the margin larger. The narrow phase then
+// finds the contacts whose gap is below the sum of the relative path and both margins. All motion
+// is measured relative to other bodies and never to the origin of the world, so a scene that moves
+// at a constant velocity has the same contacts as at rest. The search also lists sleeping bodies
+// that another body may touch, since they have to wake before the step goes on.
 #include "rigid/detection/contact_candidates.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"

@@ -28,8 +28,8 @@ struct ContactCandidates {
 bool never_collide(const World& world, int i, int j);
 
 /// Finds contact candidates in three stages. The broad phase finds pairs of bodies. Then each body
-/// gets its margin, a bound of the motion that impulses may add. Last, the narrow phase finds the
-/// contacts. Changes the world's pair cache and its counters.
+/// gets its margin: how far it may move in this step, by itself or by impulses. Last, the narrow
+/// phase finds the contacts. Changes the world's pair cache and its counters.
 ///
 /// @param flown  the states after free flight
 ContactCandidates contact_candidates(World& world, std::span<const RigidState> flown,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Adaptive substeps of single islands. "New overlap" is the increase of the overlap of two bodies
 // in this step. For each pair of bodies, the code first computes a bound of the new overlap, from
-// the bodies' rotation and from the remaining approach speed. It searches for contacts again only
-// where this bound is too large. An island with too much new overlap is copied into a separate
+// the bodies' rotation and from the remaining approach speed. The code searches for contacts again
+// only where this bound is too large. An island with too much new overlap is copied into a separate
 // world, with the static bodies near it, and takes two steps of half the length. An island in which
 // two balls meet, or a small one with several bounces, takes one step up to the first impact and
 // one after it.
@@ -22,16 +22,16 @@ namespace rigor {
 
 namespace {
 
-// The largest number of bodies of an island that may be refined; larger islands cost too much.
-// Chosen by trial.
+// The largest number of bodies of an island that may be refined, because the refinement of a larger
+// island would take too much time. Chosen by trial.
 constexpr std::size_t most_bodies = 32;
 // Allowed increase of the overlap in a step, as a fraction of the thinner body's thickness. The
-// first value applies where bodies rotate into each other, the second where only the solver left
-// some approach speed. With smaller values more steps are repeated, with larger ones more
-// penetration remains. Chosen by trial; tests/stress shows the depth.
+// first value applies where bodies rotate into each other, the second where the solver left some
+// approach speed. With smaller values more steps are repeated; with larger values more penetration
+// remains. Chosen by trial; tests/stress shows the depth.
 constexpr double overlap_by_turn = 0.005, overlap_by_speed = 0.05;
 
-// The smallest extent of a body's thinnest part, where planes do not count [m].
+// The smallest extent of a body's thinnest part, without planes [m].
 double thickness(const RigidBody& body)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -162,11 +162,11 @@ bool moves_only_balls(const World& world, const ContactConstraint& c)
     return (body1.is_static || body1.is_ball()) && (body2.is_static || body2.is_ball());
 }
 
-// Whether third bodies sent the bodies of a pair towards each other again after their bounce, so
-// that the contact stage stopped them where the next bounce is due.
+// Whether other bodies pushed the two bodies of a pair towards each other again after their bounce,
+// so that the contact stage stopped them at a time when they should bounce again.
 bool is_hit_again(const ContactProblem& problem, const ContactPair& pair)
 {
-    constexpr double noticeable = 1e-3; // a smaller share is what the sweeps and rounding leave
+    constexpr double noticeable = 1e-3; // smaller shares are errors of the sweeps and rounding
     double bounce = 0, stop = 0;        // [N s]
     for (int k = pair.first; k < pair.last; ++k) {
         bounce += problem.contacts[k].collision_impulse.norm();
@@ -178,27 +178,29 @@ bool is_hit_again(const ContactProblem& problem, const ContactPair& pair)
 // Where the step of an island is divided in two parts.
 struct Division {
     double time = 0;      // since the start of the step; 0 if the step is not divided [s]
-    bool is_free = false; // whether the bodies fly freely until then
-    bool is_apart = true; // whether the bounce is apart from the start, and not predicted again
+    bool is_free = false; // whether the bodies are in free flight until `time`
+    bool is_apart = true; // whether `time` is not nearly 0, see `apart` in `first_impact`
 };
 
 // The first bounce that divides the step. Bounces with ε > 0 of these pairs count:
 // 1. Two moving balls.
 // 2. A ball and a static body, in an island of at most `few_bodies` bodies where several pairs
-//    bounced and none of the others carried a load. (If one did, its mean force, from which the
-//    next step starts, might come from a very short part of this step.)
+//    bounce and no contact carries a load. A load that stops bodies that were pushed together again
+//    (`is_hit_again`) does not count. (With another load, its mean force, from which the next step
+//    starts, might come from a very short part of this step.)
 //
 // A bounce that `bounce_at_impacts` has moved to its time of impact does not count. The exact time
-// matters, as in billiards: balls part along the line of centers that they have at the impact. The
-// later part of the step predicts the time again and may be divided again. This iteration converges
-// quadratically.
+// matters, as in billiards: balls separate along the line of centers that they have at the impact.
+// The later part of the step predicts the time again and may be divided again. This iteration
+// converges quadratically.
 Division first_impact(const World& world, const ContactProblem& problem, const Island& island)
 {
     constexpr double just_before = 1 - 1e-9; // so that the bounce happens in the later part
-    // A bounce at the start of the step changes the times of the other bounces, so it gets this
-    // share of the step for itself.
+    // A bounce at the start of the step changes the times of the other bounces. So the first part
+    // of the step, with this share of its length, contains only this bounce.
     constexpr double alone = 1e-9;
-    // A bounce that was predicted before is nearer to the start than this share of the step.
+    // If a bounce is nearer to the start than this share of the step, an earlier division has
+    // already predicted it, and this division only corrects the time.
     constexpr double apart = 1e-6;
     const auto count = [&](bool (*holds)(const ContactProblem&, const ContactPair&)) {
         return std::count_if(island.pairs.begin(), island.pairs.end(),
@@ -286,7 +288,7 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
         if (is_free) {
             fly_freely(part.world, first);
         } else {
-            // Beyond the limit, only the later part is divided again: so the number of parts grows
+            // Beyond the limit, only the later part is divided again. So the number of parts grows
             // with the number of bounces, and not with a power of two.
             const int of_first = is_at_limit ? most_divisions_of_few : divisions + 1;
             take_substep(part, step, of_first, first, refined);

@@ -9,35 +9,36 @@
 
 namespace rigor {
 
-/// The contacts of the islands whose step was repeated in parts, from all parts, and the impulses
-/// for the next warm start.
+/// The results of the islands whose step was repeated in parts: the contacts of all parts, and the
+/// impulses for the next warm start.
 struct Refinement {
     std::vector<ContactRecord> records;
     std::vector<WarmContact> warm_contacts;
 };
 
 /// Does a part of a divided step of a world and returns its contacts.
-/// @param divisions  how many times in a row the step was divided in two until this part: first the
-///                   step, then a part of it, then a part of this part
+/// @param divisions  the depth of this part in the recursion: 1 for a part of the step, 2 for a
+///                   part of a part, and so on
 using StepOfPart =
     std::function<std::vector<ContactRecord>(World& world, double time_step, int divisions)>;
 
 /// The limits of `divisions`, which bound the run time. A part after ten halvings is a 1024th of
 /// the step. In an island of at most `few_bodies` bodies, more divisions are allowed at impacts
-/// that lie apart: there each of them is one more bounce, which would lose its energy otherwise.
+/// whose times differ: there each division adds one more bounce, which would lose its energy
+/// otherwise.
 inline constexpr int most_divisions = 10;
 inline constexpr int most_divisions_of_few = 400;
 
 /// Repeats the step of an island in two parts, in these cases:
 /// 1. The overlap of two bodies has grown too much. The step is divided in the middle. During a
 ///    step, a contact acts along one fixed normal. Sliding in the plane of the contact does no
-///    harm, but the points of a body that rotates by θ move out of this plane by up to θ² r/2
-///    (r: its radius), and sweeps that ended early leave some approach speed. The overlap may grow
-///    by 1/200 of the thinner body's thickness if the sum of θ² r/2 of both bodies exceeds this,
-///    otherwise by 1/20.
-/// 2. Two moving balls bounce off each other with ε > 0. The step is divided at the time of
-///    impact, because the balls part along the line of their centers at that time.
-/// 3. In an island of at most `few_bodies` bodies, several pairs bounce, among them a ball off a
+///    harm. But the points of a body that rotates by θ move out of this plane by up to θ² r/2 (r:
+///    its radius), and sweeps that ended early leave some approach speed. The overlap may grow by
+///    1/200 of the thinner body's thickness if the sum of θ² r/2 of both bodies exceeds this
+///    length, otherwise by 1/20.
+/// 2. Two moving balls bounce off each other with ε > 0. The step is divided at the time of impact,
+///    because the balls separate along the line that their centers have at that time.
+/// 3. In an island of at most `few_bodies` bodies, several pairs bounce, among them a ball and a
 ///    static body with ε > 0, and no contact carries a load. The step is divided at the first
 ///    impact.
 ///
@@ -47,10 +48,10 @@ inline constexpr int most_divisions_of_few = 400;
 /// An island is refined only if it has at most 32 bodies and none of them is `pulled`.
 ///
 /// @param world    only its counters change
-/// @param problem  in it, the impulses of repeated islands are set to zero
+/// @param problem  the impulses of repeated islands are set to zero in it
 /// @param pulled   for each body, whether springs, applied forces or drag act on it
 /// @param states   the states after the step; those of repeated islands are replaced
-/// @param divisions  how many times in a row the step was divided until this one
+/// @param divisions  the depth of this step in the recursion, 0 for the whole step
 /// @param step     advances a world by one part of the step; it may divide this part again
 Refinement refine_by_substeps(World& world, ContactProblem& problem,
                               const std::vector<bool>& pulled, const ContactCandidates& candidates,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The time of impact of two bodies that only bounce off each other, by the secant method on the
-// gap. The method starts from a prediction: the time when the first contact closes, if its
+// Finds the time of impact of two bodies that only bounce off each other, by the secant method on
+// the gap. The method starts from a prediction: the time when the first contact closes, if its
 // acceleration stays the same. The collision stage then runs at the time of impact, in a world of
 // these two bodies alone.
 #include "rigid/step/impact.hpp"
@@ -22,7 +22,7 @@ namespace rigor {
 
 namespace {
 
-constexpr int most_iterations = 8; // limit of secant steps; three or four are usually enough
+constexpr int most_iterations = 8; // largest number of secant steps; usually 3 or 4 are enough
 
 // A separate world of two bodies that bounce off each other, at a time during the step.
 struct PairWorld {
@@ -32,13 +32,13 @@ struct PairWorld {
     std::vector<Contact> contacts;
 };
 
-// How a contact closes: its gap [m], its v·n (`speed`) [m/s] and the rate at which v·n changes
-// [m/s²].
+// The state of a contact from which its closing is predicted: its gap [m], its v·n (`speed`) [m/s]
+// and the rate at which v·n changes [m/s²].
 struct Approach {
     double gap = 0, speed = 0, rate = 0;
 
-    // The time t when the gap closes, gap + speed t + ½ rate t² = 0: infinity if it never closes,
-    // 0 if it is closed now.
+    // The time t when the gap closes, gap + speed t + ½ rate t² = 0 [s]. It is infinity if the gap
+    // never closes, and 0 if the gap is closed now.
     double closes() const
     {
         if (gap <= 0) return 0;
@@ -136,8 +136,8 @@ std::optional<PairWorld> pair_at_impact(const World& world, const ContactConstra
     return pair;
 }
 
-// The contact problem at the impact, for the rest of the step (`rest`: its length [s]), with all
-// contacts of `pair`, which are moved out of it. The counters of the pair's world are not added to
+// The contact problem at the impact, for the rest of the step (`rest`: its length [s]). All
+// contacts of `pair` are moved into the problem. The counters of the pair's world are not added to
 // those of the whole world, since the bounce was counted there already.
 ContactProblem problem_at_impact(PairWorld& pair, double radius, double rest)
 {
@@ -191,8 +191,8 @@ void fly_on(PairWorld& pair, const ContactProblem& impact, const ContactConstrai
     }
 }
 
-// Whether contacts on different sides of the pair got an impulse in the collision stage: a ball in
-// the corner of a room that is one body. These impacts have different times.
+// Whether contacts on different sides of the pair got an impulse in the collision stage, as those
+// of a ball in the corner of a room that is one body. These impacts have different times.
 bool bounced_on_two_sides(const ContactProblem& problem, const ContactPair& pair)
 {
     std::vector<Vector3d> normals;
@@ -203,7 +203,8 @@ bool bounced_on_two_sides(const ContactProblem& problem, const ContactPair& pair
                        [&](const Vector3d& n) { return !are_on_one_side(n, normals.front()); });
 }
 
-// Lets the pair bounce at its impact. Changes the states of the pair unless it returns nothing.
+// Lets the pair bounce at its time of impact. Changes the states of the pair unless it returns
+// nothing.
 // @return the contacts with their impulses; an empty list if the computed time of impact is not
 //         before the end of this step; or nothing if no single bounce within the step was found
 std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
@@ -218,7 +219,7 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
     if (!approach) return std::nullopt;
     const double predicted = approach->closes();
     if (!(predicted > 0)) return std::nullopt;
-    if (predicted >= h) { // in free flight they do not meet in this step
+    if (predicted >= h) { // in free flight, the bodies do not meet in this step
         fly_past(world, c, h, states);
         return std::vector<ContactRecord>();
     }
@@ -227,7 +228,7 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
     if (!pair) return std::nullopt;
     const double rest = h - pair->time;
     if (rest * std::abs(approach->speed) <= touching_gap * c.radius) {
-        fly_past(world, c, h, states); // they meet at the end, and bounce in the next step
+        fly_past(world, c, h, states); // the bodies meet at the end and bounce in the next step
         return std::vector<ContactRecord>();
     }
     ContactProblem impact = problem_at_impact(*pair, c.radius, rest);
@@ -241,8 +242,8 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
 
 // The pairs of an island that only bounced, and whose bodies that can move got no impulse from
 // other bodies. If other pairs of the island got an impulse, a pair is kept only if its bodies that
-// can move are balls: between bodies with corners, the contact at the impact magnifies the rounding
-// errors that other bodies have caused in the states of the two.
+// can move are balls. The reason: between bodies with corners, the contact at the impact magnifies
+// the rounding errors that other bodies have caused in the states of the two bodies.
 std::vector<const ContactPair*> lone_bounces(const World& world, const ContactProblem& problem,
                                              const Island& island)
 {
@@ -265,7 +266,7 @@ std::vector<const ContactPair*> lone_bounces(const World& world, const ContactPr
         });
     };
     keep_if_both([&](int i) { return world.bodies[i].is_ball(); });
-    if (lone.empty()) return lone; // as in most piles
+    if (lone.empty()) return lone; // saves time in most piles
     std::map<int, int> pairs_of;   // for each body, how many pairs gave it an impulse
     for (const ContactPair& pair : island.pairs) {
         if (!bounced(problem, pair) && !carries_load(problem, pair)) continue;

@@ -21,23 +21,24 @@ inline bool are_on_one_side(const Vector3d& n1, const Vector3d& n2)
 bool carries_load(const ContactProblem& problem, const ContactPair& pair);
 
 /// The time from the start of the step until the first contact of the pair closes, predicted from
-/// its gap, speed and acceleration [s]: infinity if none closes, 0 if one is closed already.
+/// its gap, speed and acceleration [s]. It is infinity if no contact closes, and 0 if a contact is
+/// closed already.
 double time_of_impact(const World& world, const ContactProblem& problem, const ContactPair& pair);
 
-/// Moves bounces to their times of impact: the two bodies fly until they meet, bounce there, and
-/// fly on for the rest of the step. Such a bounce has the order of accuracy of free flight and
+/// Moves bounces to their times of impact: the two bodies fly until they meet, bounce at that time,
+/// and fly on for the rest of the step. Such a bounce has the order of accuracy of free flight and
 /// conserves the energy if ε = 1 and μ = 0. If the two bodies turn out not to meet in this step,
-/// they only fly. This is done for a pair of bodies if all of these are true:
+/// they only fly. A bounce of a pair of bodies is moved if all of these conditions hold:
 /// 1. The pair bounced in this step, and its contacts carry no load.
 /// 2. Each of the two bodies is static or got no impulse from a third body.
-/// 3. No other pair of the island got an impulse, or those of the two bodies that can move are
-///    balls.
+/// 3. No other pair of the island got an impulse, or each of the two bodies that can move is a
+///    ball.
 /// 4. The bodies did not touch at the start of the step, met on one side only, and do not meet
 ///    again within the step.
 /// 5. No spring, applied force, drag or position correction moves one of them.
 ///
 /// The secant method finds the time of impact from the gap at several times of the flight, starting
-/// from a prediction. If it does not converge, the bounce stays as it was.
+/// from a prediction. If the method does not converge, the result of the collision stage is kept.
 ///
 /// @param pulled         for each body, whether springs, applied forces or drag act on it
 /// @param displacements  the position corrections, one for each body, or an empty list

@@ -9,14 +9,14 @@ namespace rigor {
 
 /// Solves islands again by `solve_at_midpoint` where this is possible, and finds the islands whose
 /// bodies move with the mean of their velocities at the start and the end of the step, which gives
-/// positions of second-order accuracy. These are the islands that were solved again, and others
-/// whose contacts act along the same normals during the whole step; there are none if the world's
-/// integrator is only of the first order under forces.
+/// positions of second-order accuracy. These are the islands that were solved again, and the
+/// islands whose contacts act along the same normals during the whole step. There are no such
+/// islands if the world's integrator is only of first order under forces.
 ///
 /// @param after_collisions  the bodies after the collision stage, before the forces
 /// @param flown             the states after free flight
-/// @param poses             of all bodies at the start of the step
-/// @param problem           after the contact stage; changed by `solve_at_midpoint`
+/// @param poses             the poses of all bodies at the start of the step
+/// @param problem           the problem after the contact stage; `solve_at_midpoint` changes it
 /// @return for each island, whether its bodies move with this mean
 std::vector<char> moves_by_mean_velocity(const World& world,
                                          const std::vector<Body>& after_collisions,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The middle of a step, for contacts that move along a curve. With the means of the velocities at
-// the start and after the contact stage, the bodies of an island move for half of the step. There
-// the narrow phase finds their contacts again, and each contact with an impulse is paired with
-// one of those that it finds. The contacts move along a curve if their v·n has changed.
+// The middle of a step, for contacts that move along a curve. The bodies of an island move for half
+// of the step, with the means of their velocities at the start and after the contact stage. With
+// these poses the narrow phase finds the contacts again, and each contact with an impulse is
+// matched with one of those that it finds. The contacts move along a curve if their v·n has
+// changed.
 #include "rigid/step/middle_of_step.hpp"
 
 #include "rigid/bodies/orientation.hpp"
@@ -21,10 +22,11 @@ namespace {
 // find and solve their contacts twice would cost too much.
 constexpr std::size_t most_contacts = 32;
 // A contact moves along a curve if its v·n changes by more than this share of `speed_at`. The value
-// is that of `opens` in mean_velocity.cpp; a smaller change is only an error of the sweeps.
+// is the same as that of `opens` in mean_velocity.cpp; a smaller change is only an error of the
+// sweeps.
 constexpr double least_change = 1e-6;
-// Least cosine between the normals of a contact at the start and in the middle of the step, 60°. At
-// a larger angle, the two count as different contacts.
+// Smallest cosine of the angle between the normals of a contact at the start and in the middle of
+// the step; the largest angle is 60°. At a larger angle, the two count as different contacts.
 constexpr double same_side = 0.5;
 
 bool has_mesh(const RigidBody& body)
@@ -33,7 +35,8 @@ bool has_mesh(const RigidBody& body)
                        [](const Part& part) { return std::holds_alternative<Mesh>(part.shape); });
 }
 
-// Whether a body is a belt, or is driven otherwise than along a line at a constant velocity.
+// Whether a body is a belt, or has a drive that does not move it along a line at a constant
+// velocity during the whole step.
 bool is_driven_unevenly(const RigidBody& body, double time, double time_step)
 {
     if (!body.drive) return false;
@@ -72,8 +75,8 @@ double speed_at(const Contact& c, const Body& body1, const Body& body2)
            body2.angular_velocity.norm() * (c.point - body2.position).norm();
 }
 
-// The contacts with an impulse. The list is empty if each of them moves by at most `least_change`
-// times its radius in this step, too little for a curve to be seen.
+// The contacts of the island that got an impulse. The list is empty if each of them moves by at
+// most `least_change` times its radius in this step, because then its path is practically straight.
 std::vector<HeldContact> held_contacts(const ContactProblem& problem, const Island& island,
                                        const std::vector<Body>& first)
 {

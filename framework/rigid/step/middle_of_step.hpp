@@ -12,30 +12,31 @@ namespace rigor {
 
 /// A contact that got an impulse in the contact stage, at the start and in the middle of the step.
 struct HeldContact {
-    int index = 0;       // in `ContactProblem::contacts`
-    Contact middle = {}; // in the middle of the step
-    // v₁ - v₂ at the contact point at the start and at the one in the middle of the step, both
-    // with the velocities and angular momenta of the bodies at the start [m/s].
+    int index = 0;       // index in `ContactProblem::contacts`
+    Contact middle = {}; // the same contact in the middle of the step
+    // v₁ - v₂ at the contact point of the start of the step, and at that of the middle of the step,
+    // both with the velocities and angular momenta of the bodies at the start [m/s].
     Vector3d v_start = {}, v_middle = {};
-    // By how much v·n changes from the start to the middle of the step, with the velocities of the
-    // start or with those after the contact stage, whichever changes more [m/s].
+    // The change of v·n from the start to the middle of the step [m/s]. It is computed with the
+    // velocities at the start and with those after the contact stage; this is the larger of both
+    // changes.
     double change = 0;
     double negligible = 0; // a speed at this contact that counts as 0 [m/s]
 };
 
 /// The contacts of an island that got an impulse, grouped by pairs of bodies, and its bodies by
-/// their indices in the world. The bodies have their poses in the middle of the step, and their
-/// velocities and angular momenta of the start.
+/// their indices in the world. The bodies have their poses in the middle of the step, but their
+/// velocities and angular momenta at the start.
 struct MiddleOfStep {
     std::vector<HeldContact> contacts;
     std::map<int, Body> bodies;
 };
 
-/// The middle of the step of an island whose contacts with an impulse move along a curve. These
-/// islands are left out: large ones (more than `few_bodies` bodies or 32 contacts), those that
-/// touch no static body, those that have or touch a mesh, and those that touch a belt or a body
-/// driven otherwise than along a line at a constant velocity. With the contact methods
-/// `one_at_a_time` and `shock_propagation`, all islands are left out.
+/// Computes the middle of the step for an island whose contacts with an impulse move along a curve.
+/// These islands are left out: large ones (more than `few_bodies` bodies or 32 contacts), those
+/// that touch no static body, those that have or touch a mesh, and those that touch a belt or a
+/// driven body, unless this body moves along a line at a constant velocity. With the contact
+/// methods `one_at_a_time` and `shock_propagation`, all islands are left out.
 ///
 /// @param first    the bodies after the collision stage, before the forces
 /// @param problem  after the contact stage
@@ -47,7 +48,7 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
                                            const Island& island, const std::vector<Body>& first,
                                            std::vector<Pose>& poses);
 
-/// v - (v·n) n
+/// The part of v along the surface: v - (v·n) n
 inline Vector3d slip(const Vector3d& v, const Vector3d& n)
 {
     return v - v.dot(n) * n;

@@ -2,9 +2,10 @@
 // The midpoint rule for contacts that move along a curve (Moreau 1999, "Numerical aspects of the
 // sweeping process", Comput. Methods Appl. Mech. Eng. 177). The contact stage has found velocities
 // with the contacts at the start of the step. Now the island is solved with the contacts in the
-// middle of the step, and the mean of the velocities at the start and at the end obeys the law of
-// contact: it has no part along the normal, and none along the surface where a contact sticks. So
-// only the friction of sliding contacts does work. Errors that earlier steps have left are removed.
+// middle of the step, so that the mean of the velocities at the start and at the end obeys the law
+// of contact: it has no part along the normal, and no part along the surface where a contact
+// sticks. So only the friction of sliding contacts does work. Errors that earlier steps have left
+// are removed.
 #include "rigid/step/midpoint_contact.hpp"
 
 #include "rigid/contact/blocks.hpp"
@@ -22,14 +23,15 @@ namespace rigor {
 namespace {
 
 // v·n of a contact changes by `HeldContact::change` from the start to the middle of a step. If the
-// last step was solved with the contacts of its start, it has left a v·n, and where contacts stick
-// also a slip, of twice this change. A v·n above this multiple of the change is therefore a hit,
-// and a slip above it the beginning of sticking. Chosen by trial between 2 and 4; tests/classics
-// has bodies that roll.
+// last step was solved with the contacts of its start, it has left a v·n of twice this change, and
+// where contacts stick also a slip of twice its own change. If v·n is larger than its change times
+// `most_changes`, the contact has just been hit. If the slip is larger than its change times
+// `most_changes`, the contact has just begun to stick. Chosen by trial between 2 and 4;
+// tests/classics has bodies that roll.
 constexpr double most_changes = 3;
-// A v·n below this share of the speed that the forces add in a step is no hit either: where a body
-// turns back, v·n hardly changes from the start to the middle of the step, but the error that the
-// last step has left is not small. Chosen by trial, with the same tests as `most_changes`.
+// A v·n below this share of the speed that the forces add in a step is no hit either. Where a body
+// reverses its motion, v·n hardly changes from the start to the middle of the step, but the error
+// that the last step has left is not small. Chosen by trial, with the same tests as `most_changes`.
 constexpr double negligible_share = 0.1;
 // The share β of an open gap that a step closes. With β = 1, the gap and v·n of a contact that
 // stays for many steps would oscillate without end: the linear map from their values in one step to
@@ -65,10 +67,10 @@ struct MidpointProblem {
     // For each moving body, by its index in the world: its index in `problem.bodies`.
     std::map<int, int> places;
     // The error of each contact at the start of the step (`error_of`) [m/s]. If the sum of the
-    // velocities at the start and at the end were 0, the end would have the opposite error. So the
-    // sum has to equal the error. Therefore each contact with a static body has its own copy of
-    // this body, which moves with the error; between two moving bodies, only the normal part of the
-    // error counts, as a target speed.
+    // velocities at the start and at the end were 0, the velocity at the end would have the
+    // opposite error. So the sum has to equal the error. Therefore each contact with a static body
+    // has its own copy of this body, which moves with the error. Between two moving bodies, only
+    // the normal part of the error counts, as a target speed.
     std::vector<Vector3d> errors;
 
     bool is_on_ground(const ContactConstraint& c) const
@@ -146,8 +148,8 @@ MidpointProblem midpoint_problem(const ContactProblem& whole, const Island& isla
     return mid;
 }
 
-// A point in the middle of the step, moved back with the bodies that move: the data of a contact
-// belong to the poses at the start of the step.
+// A point in the middle of the step, moved back to the start of the step with the bodies that move,
+// because the data of a contact belong to the poses at the start of the step.
 Vector3d at_start(const Vector3d& x, const Contact& c, const MiddleOfStep& middle,
                   const std::vector<Body>& first)
 {
@@ -161,8 +163,9 @@ Vector3d at_start(const Vector3d& x, const Contact& c, const MiddleOfStep& middl
     return x - moved / count;
 }
 
-// Whether a contact of the island that has no impulse would close. For example, a ball that slides
-// from one box onto the next one still touches the edge of the first when it reaches the second.
+// Whether a contact of the island that got no impulse would close. For example, a ball that slides
+// from one box onto the next one still touches the edge of the first box when it reaches the
+// second.
 bool any_other_closes(const MidpointProblem& mid, const Island& island,
                       const std::vector<Body>& first, const ContactProblem& problem)
 {

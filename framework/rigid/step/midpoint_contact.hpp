@@ -14,14 +14,14 @@ enum class MidpointResult {
 };
 
 /// Solves the contact stage of an island a second time, with the contacts in the middle of the
-/// step. This is done where contacts move along a curve: a ball that rolls off another one, a disk
-/// on its rim, a stick that turns about its foot (middle_of_step.hpp has the conditions).
+/// step. This is done where contacts move along a curve: for a ball that rolls off another one, a
+/// disk on its rim, a stick that turns about its foot (middle_of_step.hpp has the conditions).
 ///
-/// If the island is solved again, its bodies get their velocities after the step, and its contacts
-/// their impulses and normals of the middle of the step. The points of these contacts are moved
-/// back to the start of the step, and `passes_by` is set (case 4 of `ContactConstraint`). The
-/// bodies then have to move with the means of their velocities at the start and at the end of the
-/// step.
+/// If the island is solved again, its bodies get their velocities at the end of the step, and its
+/// contacts get the impulses and normals of the middle of the step. The points of these contacts
+/// are moved back to the start of the step, and `passes_by` is set (case 4 of `ContactConstraint`).
+/// The bodies then have to move with the means of their velocities at the start and at the end of
+/// the step.
 ///
 /// @param first  the bodies after the collision stage, before the forces
 /// @param flown  the states after free flight

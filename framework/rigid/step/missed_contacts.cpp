@@ -2,9 +2,9 @@
 // Looks for contacts that a step has missed. The search for contacts covers the motion of free
 // flight and, around it, a margin for each body (contact_candidates.hpp). So only bodies that end
 // farther from their free flight than their margin can meet something else. Each of them is tested
-// against the swept bounds of all other bodies, and where these overlap, by its contacts. A body
-// that turns far may also pass through a contact that was found; its center is then on the other
-// side.
+// against the swept bounds of all other bodies, and where these overlap, the contacts of the two
+// bodies are tested. A body that turns far may also pass through a contact that was found; its
+// center is then on the other side.
 #include "rigid/step/missed_contacts.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
@@ -28,9 +28,9 @@ struct Path {
 
     double length() const { return moved.norm() + radius * std::min(angle, 2.0); }
 
-    // A lower bound of the distance by which the body recedes along n from another body, to which
-    // it has the distance `gap` at the contact point x [m]. If the bound is negative, the body may
-    // approach. However the body turns, its points stay within the radius about its center.
+    // A lower bound of the distance by which the body recedes along n from another body [m]. `gap`
+    // is the distance of the two bodies at the contact point x. If the bound is negative, the body
+    // may approach. However the body turns, its points stay within its radius about its center.
     double recedes(const Vector3d& x, const Vector3d& n, double gap) const
     {
         const double height = n.dot(X - x) - gap; // least height of the center above the surface
@@ -76,8 +76,8 @@ private:
         return !body.is_still() && !body.is_ball() && angle_of(i) > far;
     }
 
-    // The angle by which a body that is not still turns [rad]: the larger one of those by its
-    // angular velocities at the start and at the end.
+    // The angle by which a body that is not still turns [rad]: the larger of the angles that follow
+    // from its angular velocities at the start and at the end.
     double angle_of(int i) const
     {
         const RigidBody& body = world_.bodies[i];
@@ -137,7 +137,8 @@ private:
         path.radius = body.is_static // driven
                           ? (path.swept.high - path.X).cwiseMax(path.X - path.swept.low).norm()
                           : candidates_.radii[i];
-        // Until a body is hit, it moves along its free flight, so the bounds also cover this path.
+        // Until a body is hit, it moves along its free flight, so the swept bounds also cover this
+        // path.
         const Bounds start = path.swept;
         for (const Vector3d& d : {path.moved, Vector3d(flown_[i].position - path.X)})
             path.swept.include({start.low + d, start.high + d});
@@ -160,8 +161,9 @@ private:
     }
 
     // Whether the problem has a contact of the pair on the same side, which keeps the bodies apart
-    // there. A body that is a whole room has other sides. A contact of two balls with `passes_by`
-    // does not count: it is right only if the balls fly past each other as in free flight.
+    // on this side. A body that is a whole room has other sides. A contact of two balls with
+    // `passes_by` does not count, because it is correct only if the balls fly past each other as in
+    // free flight.
     bool is_in_problem(const BodyPair& pair, const Vector3d& normal) const
     {
         const bool are_balls =

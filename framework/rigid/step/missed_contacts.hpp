@@ -7,15 +7,15 @@
 
 namespace rigor {
 
-/// Whether two bodies may have got into each other or through each other in a step because the
+/// Whether two bodies may have penetrated or passed through each other in a step because the
 /// contacts found for this step are not enough. This may happen in two ways:
 /// 1. A collision has sent a body farther than the search for contacts looked: a ball bounces off
 ///    a wall and reaches the wall behind it within the same step.
 /// 2. A body turns so far in the step that its contacts do not hold it, since the contact stage
-///    lets their points move along straight lines. The center of the body passes a contact.
+///    lets their points move along straight lines. The center of the body then passes a contact.
 ///
-/// Both are judged by the contacts at the start of the step and the displacements until its end. So
-/// the result may also be true for bodies that pass each other closely.
+/// Both cases are detected from the contacts at the start of the step and the displacements until
+/// its end. So the result may also be true for bodies that pass each other closely.
 ///
 /// @param candidates  has to contain at least one contact
 /// @param flown       the states after free flight, with which `candidates` was found

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The position update. Each body that got an impulse flies once more, by the integrator of free
 // flight, with its velocity after the contact stage. In some islands (`by_mean`), it flies with the
-// mean of this velocity and that after the collision stage. A body that only bounced and that no
-// spring, force or drag pulls takes its velocity after the collision stage, and this flight adds
-// gravity. The displacements of the position correction are added last.
+// mean of this velocity and that after the collision stage. If the body only bounced and no spring,
+// force or drag pulls it, it flies with its velocity after the collision stage, and this flight
+// adds gravity. The displacements of the position correction are added last.
 #include "rigid/step/position_update.hpp"
 
 #include "formulas/rotation.hpp"
@@ -53,7 +53,7 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
     const auto move = [&](int i, bool by_mean_velocity, Counters& counted) {
         const bool is_displaced = !displacements.empty() && !displacements[i].is_zero();
         const auto [has_bounced, has_contact_impulse] = impulses[i];
-        if (!has_bounced && !has_contact_impulse) { // `states[i]` is that after free flight
+        if (!has_bounced && !has_contact_impulse) { // keep `states[i]`, the state after free flight
             if (is_displaced) displace(states[i], displacements[i]);
             ++counted.free_flights;
             return;
@@ -86,8 +86,9 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
                             for (std::size_t at = first; at < last; ++at)
                                 move(island.bodies[at], by_mean_velocity, counted);
                         });
-        // The stage of free flight counted a flight for every body of the island. Only bodies
-        // without an impulse shall count, and `move` has counted these a second time.
+        // The stage of free flight counted a flight for every body of the island. Only the flights
+        // of bodies without an impulse should count, and `move` has counted these flights a second
+        // time.
         counters.free_flights -= island.bodies.size();
     }
 }

@@ -10,12 +10,12 @@ namespace rigor {
 /// Computes the poses and velocities at the end of the step, after the collision stage, the contact
 /// stage and the position correction.
 ///
-/// A body that only bounced and is not `pulled` flies on with its velocity after the collision, and
-/// its integrator adds gravity. Any other body that got an impulse moves with its velocity at the
-/// end of the step: the contacts have made this velocity such that the body does not move into
-/// the bodies that hold it. The bodies of some islands move with the mean of their velocities at
-/// the start and the end of the step instead (mean_velocity.hpp), which is exact for a constant
-/// acceleration. The displacements are added to the resulting poses.
+/// A body that only bounced and is not `pulled` flies on with its velocity after the collision
+/// stage, and its integrator adds gravity. Any other body that got an impulse moves with its
+/// velocity at the end of the step. The contact stage has computed this velocity such that the body
+/// does not move into the bodies that hold it. The bodies of some islands move with the mean of
+/// their velocities at the start and the end of the step instead (mean_velocity.hpp), which is
+/// exact for a constant acceleration. The displacements are added to the resulting poses.
 ///
 /// @param world             only its counters change
 /// @param pulled            for each body, whether springs, applied forces or drag act on it

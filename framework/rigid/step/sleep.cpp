@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sleep of islands at rest. The code adds up how long each body of an island has stayed in its
-// place. If all bodies of the island have stayed for long enough, they become a sleeping group
-// without velocity, and their contacts are stored in the world. A group wakes as a whole.
+// place. If all bodies of the island have stayed there for long enough, they become a sleeping
+// group without velocity, and their contacts are stored in the world. A group wakes as a whole.
 #include "rigid/step/sleep.hpp"
 
 #include "rigid/bodies/orientation.hpp"
@@ -14,18 +14,18 @@ namespace rigor {
 
 namespace {
 
-// Least time at rest before a body sleeps [s]. With a shorter time, a body would sleep at a turning
-// point of its motion; a longer one costs steps of bodies at rest.
+// Shortest time at rest before a body sleeps [s]. With a shorter time, a body would sleep at a
+// turning point of its motion; with a longer time, more steps are computed for bodies at rest.
 constexpr double needed_rest = 0.5;
 // If a step has moved a body to a new place, the time at rest starts with the length of this step,
-// but with at most this time [s]. Otherwise a moving body would fall asleep at once where steps are
-// long.
+// but with at most this time [s]. Otherwise a moving body would fall asleep at once in a scene with
+// long steps.
 constexpr double first_rest = needed_rest / 2;
-// While a body is at rest, its center of mass moves, and its rotation moves its points, by at most
-// this fraction of a length: the body's radius or, if it is shorter, the distance of a free fall
-// during `needed_rest`. With the radius alone, a large body that begins to slide or fall would
-// count as one at rest. With a larger fraction, bodies that creep would sleep; with a smaller one,
-// the errors of the solver would keep piles awake.
+// A body counts as at rest if its center of mass moves, and its rotation moves its points, by at
+// most this fraction of a length. This length is the body's radius or, if it is shorter, the
+// distance of a free fall during `needed_rest`. With the radius alone, a large body that begins to
+// slide or fall would count as at rest. With a larger fraction, bodies that creep would sleep; with
+// a smaller fraction, the errors of the solver would keep piles awake.
 constexpr double rest_fraction = 1e-4;
 
 // Whether a body that has moved from the state b to the state a counts as one at rest.

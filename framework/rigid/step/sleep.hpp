@@ -9,10 +9,11 @@
 namespace rigor {
 
 /// Puts to sleep every island that stayed in its place, in a world with gravity, if the
-/// optimisation `sleep` is on: for half a second, each body has moved by at most 1e-4 of its radius
-/// and rotated by at most 1e-4 radians (less for a body whose radius exceeds the distance of a free
-/// fall in this time, see `rest_fraction` in sleep.cpp). The bodies lose their remaining velocity
-/// and keep their place. An island on a driven body that moves stays awake.
+/// optimization `sleep` is on. "Stayed in its place" means: for half a second, each body has moved
+/// by at most 1e-4 of its radius and rotated by at most 1e-4 radians (less for a body whose radius
+/// exceeds the distance of a free fall in this time, see `rest_fraction` in sleep.cpp). The bodies
+/// lose their remaining velocity and keep their place. An island on a driven body that moves stays
+/// awake.
 ///
 /// @param radii    radius of each body [m]
 /// @param forced   for each body, whether springs or applied forces pull on it; such a body stays
@@ -23,7 +24,8 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
                  const std::vector<bool>& forced, StepResult& result);
 
 /// Wakes these bodies, which have to be asleep, and all bodies that fell asleep together with them.
-/// Their contacts start the next step with the impulses that they had before the sleep.
+/// In the next contact stage, their contacts start from the impulses that they had in the step in
+/// which the bodies fell asleep.
 void wake(World& world, const std::vector<int>& bodies);
 
 /// Wakes the sleeping bodies on which springs or applied forces pull.

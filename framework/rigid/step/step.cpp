@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Advances a world by one time step in the order of Guendelman, Bridson and Fedkiw (2003):
 // collisions, velocities, contact, positions. Free flight and the search for contacts come first.
-// An island whose contacts move along a curve is solved again with the contacts of the middle of
+// An island whose contacts move along a curve is solved again with the contacts in the middle of
 // the step. After the positions, single bounces are computed at their exact times. Then the step of
-// an island with too much new overlap is repeated in two halves; that of an island in which two
-// balls meet is repeated up to the impact and then after it. If a body has got into another one
-// where the search for contacts has not looked, the step of the whole world is repeated in two
-// halves. Last, islands at rest fall asleep.
+// an island with too much new overlap is repeated in two halves. The step of an island in which two
+// balls meet is repeated in two parts, before and after the impact. If a body may have penetrated
+// another one where the search for contacts did not look, the step of the whole world is repeated
+// in two halves. Last, islands at rest fall asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
@@ -49,12 +49,13 @@ void apply_forces(ContactProblem& problem, const World& world, const std::vector
             problem.bodies[i] = with_forces(problem.bodies[i], world.bodies[i].state, flown[i]);
 }
 
-// The step of a whole world is divided into at most 2⁶ parts. This bounds the run time of a world
-// whose bodies fly about at high speeds, as wrong formulas may make them.
+// The step of a whole world is halved at most this many times in a row, so it has at most 2⁶ parts.
+// This bounds the run time of a world whose bodies fly about at high speeds, as wrong formulas may
+// make them.
 constexpr int most_halvings = 6;
 
-// A step, or a part of one that was divided.
-// @param divisions  how many times in a row the step was divided until this part
+// A step, or a part of a step that was divided.
+// @param divisions  the depth of this part in the recursion, 0 for the whole step
 std::vector<ContactRecord> step_divided(World& world, double time_step, int divisions);
 
 // The step of the whole world in two halves. A contact is listed once for each half in which it got
@@ -68,14 +69,14 @@ std::vector<ContactRecord> step_in_halves(World& world, double time_step, int di
     return records;
 }
 
-// Free flight, and the contacts that may matter in the step.
+// The results of free flight and of the search for contacts.
 struct Flight {
     std::vector<bool> pulled;      // for each body, whether a spring, a force or drag acts on it
     std::vector<RigidState> flown; // the states after free flight
     ContactCandidates candidates;
 };
 
-// Free flight, and the search for contacts that may matter in this step. A sleeping body that
+// Free flight, and the search for contacts that may close in this step. A sleeping body that
 // another body may touch wakes up and then moves too. So flight and search are repeated until no
 // further body wakes.
 // @param forced  for each body, whether springs or applied forces pull on it

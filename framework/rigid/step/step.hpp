@@ -63,7 +63,7 @@
 //                                                          which simultaneous_sweeps calls
 //
 // Where these sweeps do not converge, Newton's method may continue (island_solver.hpp lists when),
-// with its own law (`projected` in newton_row). If a scene turns the optimisation
+// with its own law (`projected` in newton_row). If a scene turns the optimization
 // `optimised_formulas` off, the reference is treated as any other implementation. The contact
 // methods `one_at_a_time` and `shock_propagation` always call formulas of topic `contact`, from
 // contact/one_at_a_time. Stage 3 calls `collision_impulse` with any implementation and any contact

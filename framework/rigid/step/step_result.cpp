@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Collects the contacts of a step, including those of islands that took substeps, and counts them.
-// Then it gives the world its new states and the impulses for the next warm start.
+// Collects the contacts of a step, including those of islands that took substeps, and counts the
+// contacts and the islands. Then it gives the world its new states and the impulses for the next
+// warm start.
 #include "rigid/step/step_result.hpp"
 
 #include "rigid/bodies/mass.hpp"
