@@ -42,11 +42,12 @@ public:
     }
 
     /// Rounds x to a multiple of 2^(e - 36), where 2^e is the largest power of two up to the extent
-    /// (the longest side of the points' bounding box). Adding and subtracting the shift
-    /// 1.5 · 2^(e + 16) does so, because a double of this size has no smaller digits. Far from the
-    /// origin, coordinates are less exact than 2^(e - 36). So the unit is at least 2^(f - 46),
-    /// where 2^f is the largest power of two up to the largest absolute coordinate. This unit is 64
-    /// times the spacing of doubles that are as large as this coordinate.
+    /// (the longest side of the points' bounding box). The sum of x and the shift 1.5 · 2^(e + 16)
+    /// is such a multiple, because a double of this size has no smaller digits; then the shift is
+    /// subtracted again. Far from the origin, coordinates are less exact than 2^(e - 36). So the
+    /// unit is at least 2^(f - 46), where 2^f is the largest power of two up to the largest
+    /// absolute coordinate. This unit is 64 times the spacing of doubles that are as large as this
+    /// coordinate.
     double operator()(double x) const { return (x + shift_) - shift_; }
 
     /// The position of x relative to the corner of the points' bounding box where all coordinates

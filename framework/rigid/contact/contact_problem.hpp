@@ -28,8 +28,8 @@ struct ContactConstraint : Contact {
     // the step (h: time step). `passes_by` is 0 except in these cases:
     // 1. The front of a rolling wheel moves down, but also forward, so that it does not reach the
     //    ground. `passes_by` is the depth that the rotation alone would reach on a straight line.
-    // 2. Two balls fly past each other. `passes_by` is by how much their gap at the end of the step
-    //    is larger than gap + h v·n.
+    // 2. Two balls fly past each other. `passes_by` is their gap at the end of the step minus the
+    //    prediction gap + h v·n.
     // 3. `gap` belongs to the orientation at the end of free flight (`ContactCandidates::turned`),
     //    so it already includes the rotation. `passes_by` is -h times the part of v·n by rotation,
     //    so that the rotation does not count twice.

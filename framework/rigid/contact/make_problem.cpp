@@ -193,8 +193,9 @@ struct Filter {
         return !candidates.turned.empty() && candidates.turned[body];
     }
 
-    // The part of v·n that comes from the rotation of those of the two bodies whose contacts belong
-    // to the orientation at the end of free flight [m/s]. The gap already includes this rotation.
+    // The part of v·n by rotation [m/s]. It includes the rotation of a body only if the contacts
+    // belong to the orientation of this body at the end of free flight, so that the gap already
+    // includes this rotation.
     double turning_speed(const Contact& contact, const PairValues& pair) const
     {
         const auto speed = [&](int i, bool turned) {

@@ -210,7 +210,7 @@ void find_contacts_ahead(const Shape& shape1, const Pose& pose1, const Shape& sh
                          std::size_t first, Contacts& contacts)
 {
     constexpr double overlapping = 0;    // reach of the search [m]: finds only overlaps
-    constexpr double same_normal = 1e-4; // normals are the same if their difference is shorter
+    constexpr double same_normal = 1e-4; // normals n, n' count as equal if |n - n'| is smaller
     const double way = pair.move.norm();
     const auto any_known = [&](const auto& is_such) {
         return std::any_of(contacts.begin() + static_cast<std::ptrdiff_t>(first), contacts.end(),

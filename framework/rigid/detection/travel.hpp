@@ -43,7 +43,7 @@ std::vector<Travel> frames_of(const World& world, std::span<const RigidState> fl
 /// The displacement that is subtracted from each body's position at the end of free flight before
 /// the bounds of the body are swept [m]. It is zero if any body is still, because the bounds of
 /// still bodies are not swept.
-/// @param frames  what `frames_of` returned
+/// @param frames  the result of `frames_of`
 Vector3d frame_of_bounds(const World& world, const std::vector<Travel>& frames);
 
 } // namespace rigor

@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// Pose and velocities of a body at one time, from which the forces are computed.
+/// Pose and velocities of a body at one time in world space, from which forces are computed.
 struct Motion {
     Matrix3d R = Matrix3d::Identity();
     Vector3d X = Vector3d::Zero();     // [m]

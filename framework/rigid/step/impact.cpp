@@ -256,7 +256,7 @@ std::vector<const ContactPair*> lone_bounces(const World& world, const ContactPr
         if (!is_loaded) lone.push_back(&pair);
     }
     if (pairs <= 1) return lone;
-    const auto keep_if_both = [&](const auto& condition) { // static bodies always fulfil it
+    const auto keep_if_both = [&](const auto& condition) { // static bodies need not satisfy it
         std::erase_if(lone, [&](const ContactPair* pair) {
             const ContactConstraint& c = problem.contacts[pair->first];
             const auto fails = [&](int i) {

@@ -22,7 +22,7 @@ namespace {
 struct Path {
     Vector3d X = Vector3d::Zero();     // center of mass at the start of the step [m]
     Vector3d moved = Vector3d::Zero(); // displacement of the center [m]
-    double angle = 0;                  // by how much the body turns [rad]
+    double angle = 0;                  // angle by which the body turns [rad]
     double radius = 0;                 // largest distance from X to a point of the body [m]
     Bounds swept;                      // bounds of the body over the step
 
@@ -85,8 +85,8 @@ private:
                         angle_turned(world_, body, states_[i], problem_.time_step));
     }
 
-    // Whether one of the two bodies of a contact turns far, and the center of one of them comes to
-    // the other side of the contact.
+    // Whether one of the two bodies of a contact turns far, and the center of a body comes to the
+    // other side of the contact.
     bool is_passed(const Contact& c) const
     {
         const double n_moved = c.normal.dot(moved(c.body1) - moved(c.body2));

@@ -73,7 +73,7 @@ double largest(const ContactProblem& problem, std::span<const int> active, const
 double fastest(const ContactProblem& problem, const Island& island, std::span<const int> active,
                const Body& ground)
 {
-    std::vector<std::pair<double, double>> speeds(problem.bodies.size()); // |V|, |ω|
+    std::vector<std::pair<double, double>> speeds(problem.bodies.size()); // |V|, |ω| of each body
     for (int i : island.bodies) {
         const Body& body = problem.bodies[i];
         const Vector3d carried =
@@ -186,7 +186,7 @@ bool adds_energy(const ContactProblem& problem, const Island& island, std::span<
 struct NewtonStart {
     const std::vector<Body>& free; // the island's bodies before the contact stage
     const std::vector<Vector3d>& impulses;
-    double allowed = 0; // the first sweep after Newton may change velocities by this [m/s]
+    double allowed = 0; // largest change by the first sweep after Newton's method [m/s]
 };
 
 // Continues by Newton's method and checks the result by a few sweeps. The result is accepted if the

@@ -12,7 +12,7 @@ namespace rigor::newton {
 // A contact in Newton's method.
 struct NewtonRow {
     int body1 = -1, body2 = -1; // body k has the unknowns 6k … 6k + 5; -1: a static body
-    Vector3d n, r1, r2;         // normal; lever arms [m]
+    Vector3d n, r1, r2;         // contact normal; lever arms of body 1 and body 2 [m]
     // Target velocity: target speed times n, plus `surface_velocity` (newton_contact.cpp) [m/s].
     Vector3d s;
     double friction = 0;

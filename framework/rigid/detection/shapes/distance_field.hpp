@@ -63,7 +63,7 @@ private:
 /// The deepest of some points in a distance field, in the frame of the field.
 struct DeepestPoint {
     Vector3d point = Vector3d::Zero();
-    double gap = 0; // 0: no point was inside [m]
+    double gap = 0; // signed distance of the point, negative inside; 0: no point was inside [m]
 
     void consider(const Vector3d& p, double distance)
     {

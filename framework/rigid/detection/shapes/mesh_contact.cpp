@@ -44,7 +44,7 @@ public:
     }
 
     // Appends contacts in the frame of the field, with normals out of the field's shape.
-    // @return the deepest point that was looked at, whether it is a contact or not
+    // @return the deepest of all tested points, whether it is a contact or not
     DeepestPoint find(std::vector<Contact>& contacts)
     {
         const std::size_t first = contacts.size();
@@ -54,13 +54,13 @@ public:
     }
 
 private:
-    // Tests the points of a node of the tree:
-    //   1. none of them, if the node is found to be farther away than the reach
-    //   2. one of them, if the node is no leaf and the distance of its middle is larger than `far`
-    //      times its radius: all points then have about this distance
-    //   3. all of them, if the node is a leaf or its radius is below `small_node` spacings. Only
-    //      the nearest one makes a contact.
-    //   4. otherwise those of its two children, in the same way
+    // Tests the points of a node of the tree, by the first of these rules that applies:
+    //   1. If the node is known to be farther away than the reach, no point is tested.
+    //   2. If the node is a leaf, all its points are tested, and the nearest one makes a contact.
+    //   3. If the distance of its middle is larger than `far` times its radius, one point is
+    //      tested, because all its points have about the same distance.
+    //   4. If its radius is below `small_node` spacings, it is treated as a leaf.
+    //   5. Otherwise its two children are treated in the same way.
     void descend(int index, std::vector<Contact>& contacts)
     {
         const BoundingTree::Node& node = surface_.point_tree().nodes()[index];
@@ -181,7 +181,7 @@ bool any_overlaps(const std::vector<Contact>& contacts)
 // Appends the contacts of surface points of mesh 2 with shape 1, in the frame of the mesh, with
 // normals from 2 to 1.
 // @param from_1  pose of shape 1 in the frame of the mesh
-// @return the deepest point that was looked at, in the frame of shape 1
+// @return the deepest of all tested points, in the frame of shape 1
 DeepestPoint add_points(const Shape& shape1, const Pose& from_1, const SolidMesh& mesh2,
                         double reach, Counters& counters, std::vector<Contact>& found)
 {
@@ -199,7 +199,7 @@ DeepestPoint add_points(const Shape& shape1, const Pose& from_1, const SolidMesh
 bool is_ahead_on_face(const Contact& point, const Shape& shape1, const Pose& pose1,
                       std::span<const Contact> others, double share)
 {
-    constexpr double same = 1e-6; // directions are equal if 1 - cosine of their angle is smaller
+    constexpr double same = 1e-6; // directions count as equal if 1 - cosine is below this value
     // Two points lie on one flat face if their heights above it differ by at most this share of
     // their distance.
     constexpr double level = 1e-6;

@@ -16,8 +16,8 @@ namespace rigor {
 
 namespace {
 
-constexpr double alike = 0.98; // least cosine of directions that count as the same, 11°
-constexpr int most_steps = 4;  // limits an iteration whose gradient goes on turning
+constexpr double alike = 0.98; // cosine of 11°: directions at a smaller angle count as equal
+constexpr int most_steps = 4;  // largest number of steps of an iteration
 // An iteration has converged if 1 - cosine of the angle between its last two gradients is below
 // this value.
 constexpr double converged = 1e-12;

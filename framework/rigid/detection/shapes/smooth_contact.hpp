@@ -25,7 +25,7 @@ inline constexpr double least_opposition = 0.3;
 /// @param shape  a box, a cylinder, a cone or an ellipsoid
 /// @param pose   pose of the shape in the frame of the field; the contacts are in this frame too,
 ///               with normals out of the field's shape
-/// @return       the deepest point that was looked at, whether it is a contact or not
+/// @return       the deepest of all tested points, whether it is a contact or not
 DeepestPoint find_smooth_contacts(const Shape& shape, const Pose& pose, const DistanceField& field,
                                   double reach, std::vector<Contact>& contacts);
 
