@@ -42,7 +42,7 @@ struct Counters {
     std::uint64_t contact_sweeps = 0, early_exits = 0, newton_solves = 0;
     std::uint64_t corrected_contacts = 0;
     std::uint64_t level_sets_built = 0, level_set_samples = 0;
-    // deformable solids
+    // Counters of deformable solids.
     std::uint64_t deformable_substeps = 0, system_solves = 0, solver_iterations = 0;
     std::uint64_t node_impulses = 0, elements_flowed = 0, flow_skipped = 0;
     std::uint64_t eigenvalues = 0, eigenvalues_skipped = 0, cracks = 0, mesh_changes = 0;

@@ -109,7 +109,7 @@ struct DrivenBody {
 double kinetic_energy_of(const Body& body, const Vector3d& V);
 double kinetic_energy_of(std::span<const Body> bodies, const Vector3d& V);
 
-/// Everything that the stages of contact work on.
+/// The data on which the collision stage, the contact stage and the position correction work.
 struct ContactProblem {
     std::vector<Body> bodies; // one for each body of the world; set only for those with contacts
     UninitializedVector<ContactConstraint> contacts;

@@ -32,9 +32,9 @@ constexpr double stack_slop = 1e-6, pile_slop = resting_overlap;
 // two because corrections add energy in such worlds.
 constexpr double weightless_slop = 1e-3;
 // All sweeps over an island together visit about `most_visits` rows, but there are always at least
-// `fewest_sweeps` and at most `most_sweeps` sweeps. More sweeps take more time; fewer leave more
-// overlap of a large island to the next steps. Chosen by trial; `bench pile` shows the time and the
-// overlap.
+// `fewest_sweeps` and at most `most_sweeps` sweeps. More sweeps take more time; with fewer sweeps,
+// more overlap of a large island is left to the next steps. Chosen by trial; `bench pile` shows the
+// time and the overlap.
 constexpr int most_visits = 2000, fewest_sweeps = 4, most_sweeps = 20;
 
 using namespace optimised;

@@ -46,7 +46,7 @@ public:
     explicit WarmPairs(std::span<const WarmContact> all) : rest_(all) {}
 
     // The warm contacts between the bodies of this contact. The first call uses binary search; each
-    // later call goes on from where the previous call ended.
+    // later call continues where the previous call ended.
     std::span<const WarmContact> between_bodies_of(const ContactConstraint& c)
     {
         const std::pair pair = bodies_of(c);

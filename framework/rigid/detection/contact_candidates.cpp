@@ -24,8 +24,7 @@ namespace rigor {
 
 bool never_collide(const World& world, int i, int j)
 {
-    if (world.bodies[i].is_static && world.bodies[j].is_static)
-        return true; // no impulse moves them
+    if (world.bodies[i].is_static && world.bodies[j].is_static) return true; // nothing pushes them
     const int group = world.bodies[i].group;
     if (group != 0 && group == world.bodies[j].group) return true;
     const PairLaw* law = law_of(world.pair_laws, i, j);

@@ -78,10 +78,11 @@ struct NormalAhead {
 };
 
 // Replaces `best` by the normal along which the sphere at c and the box overlap least after the
-// move d of the sphere, among the normals along which they are apart now or overlap by less than
-// the slop. Candidates are the normals of the faces and, if the shapes overlap by less than the
-// slop after the move, their contact normal there. So a sphere that rolls over the joint between
-// two boxes, or falls onto it, does not run into the edge of the second box.
+// move d of the sphere. Only normals are considered along which the two shapes are apart now or
+// overlap by less than the slop. These are the normals of the faces and, if the shapes do not
+// overlap by more than the slop after the move, their contact normal after the move. So a sphere
+// that rolls over the joint between two boxes, or falls onto it, does not run into the edge of the
+// second box.
 void improve_by_looking_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d,
                               double radius, NormalAhead& best)
 {

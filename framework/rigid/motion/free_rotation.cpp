@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Jacobi's solution for the free rotor, in four stages: the closed curve on which the angular
-// momentum moves in the body, the elliptic functions at the end of the step by the addition
-// theorem, the angle about the fixed momentum by Carlson's integrals, and the rotation of the body.
-// The rotation follows from two frames that axis 3 and the momentum span in the body, one at the
-// start of the step and one at its end.
-// Differences of squares are written as sums of positive terms, so that nothing cancels near the
-// unstable axis or where two moments are nearly equal. The exception is `s` of `path_of`. There the
-// rounding of the arguments causes an error as large as the cancellation.
+// Computes Jacobi's solution for the free rotor in four stages. Stage 1 finds the closed curve on
+// which the angular momentum moves in the body. Stage 2 finds the elliptic functions at the end of
+// the step by the addition theorem, and stage 3 the angle about the fixed momentum by Carlson's
+// integrals. Stage 4 finds the rotation of the body from two frames that axis 3 and the momentum
+// span in the body, one at the start of the step and one at its end.
+// Differences of squares are written as sums of positive terms, so that no digits cancel near the
+// unstable axis or where two moments are nearly equal. The only exception is `s` in `path_of`,
+// where the rounding of the arguments causes an error as large as that of the cancellation.
 #include "rigid/motion/free_rotation.hpp"
 
 #include "rigid/motion/elliptic_functions.hpp"

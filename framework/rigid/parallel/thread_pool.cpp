@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The pool hands out task indices through one atomic word, without a lock. The caller takes tasks
-// from the first one upwards, the workers from the last one downwards. So a task that is repeated,
-// as in the sweeps of a step, finds most of its data in the cache of the same processor. A thread
-// without work checks several thousand times for new work before it sleeps (`wait_for`).
+// The pool distributes task indices through one atomic word, without a lock. The caller takes tasks
+// from the first one upwards, the workers from the last one downwards. So if a task is repeated, as
+// in the sweeps of a step, it usually runs on the same processor and finds most of its data in the
+// cache. A thread without work checks several thousand times for new work before it sleeps
+// (`wait_for`).
 #include "rigid/parallel/thread_pool.hpp"
 
 #include <algorithm>

@@ -103,8 +103,8 @@ PairWorld pair_at(const World& world, const ContactConstraint& c, double time, d
     return pair;
 }
 
-// Sets the states of the two bodies of c to those after free flight over the whole step, since they
-// do not meet in it.
+// Sets the states of the two bodies of the contact c to their states after free flight over the
+// whole step, since the bodies do not meet in this step.
 void fly_past(const World& world, const ContactConstraint& c, double time_step,
               std::vector<RigidState>& states)
 {

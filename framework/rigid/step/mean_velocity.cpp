@@ -32,8 +32,8 @@ bool holds_along_fixed_normals(const ContactProblem& problem, const Island& isla
     // A contact opens or closes if |v·n| is above this fraction of the speed of its bodies relative
     // to the ground. A smaller |v·n| is only an error that the sweeps leave; it moves no point by
     // more than 1e-6 of the distance that the bodies move. The limit also holds for the change of
-    // v·n by the collision stage: between bodies that gravity accelerates alike, this change may be
-    // tiny but not zero.
+    // v·n by the collision stage. This change may be tiny but not zero between bodies that gravity
+    // accelerates equally.
     constexpr double opens = 1e-6;
     // Between bodies at rest, the sweeps leave a |v·n| of at most this share of the speed that the
     // forces of the step add.

@@ -99,8 +99,8 @@ std::vector<HeldContact> held_contacts(const ContactProblem& problem, const Isla
 
 // Sets the poses of the island's bodies, and of driven bodies that it touches, to those in the
 // middle of the step.
-// @return the bodies of the island in these poses with their velocities of the start, by their
-//         indices in the world
+// @return the bodies of the island in these poses with their velocities at the start of the step,
+//         by their indices in the world
 std::map<int, Body> moved_to_the_middle(const World& world, const ContactProblem& problem,
                                         const Island& island, const std::vector<Body>& first,
                                         std::vector<Pose>& poses)
@@ -199,7 +199,7 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
         const ContactConstraint& c = problem.contacts[contact.index];
         return std::pair(c.body1, c.body2);
     };
-    // A body in the middle of the step, with its velocities of the start or of the end.
+    // A body in the middle of the step, with its velocities at the start or at the end.
     const auto starting = [&](int i) -> const Body& {
         const auto moved = middle.bodies.find(i);
         return moved == middle.bodies.end() ? first[i] : moved->second;

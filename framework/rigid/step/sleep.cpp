@@ -28,7 +28,7 @@ constexpr double first_rest = needed_rest / 2;
 // a smaller fraction, the errors of the solver would keep piles awake.
 constexpr double rest_fraction = 1e-4;
 
-// Whether a body that has moved from the state b to the state a counts as one at rest.
+// Whether a body with the state b before and the state a now counts as at rest.
 // @param fall  distance of a free fall during `needed_rest` [m]
 bool is_near(const RigidState& a, const RigidState& b, double radius, double fall)
 {
@@ -38,7 +38,8 @@ bool is_near(const RigidState& a, const RigidState& b, double radius, double fal
     return moved <= rest_fraction * unit && turned * radius <= rest_fraction * unit;
 }
 
-// Adds the step to the time at rest of each body of the island, or starts this time anew.
+// Adds the length of the step to the time at rest of each body of the island, or starts this time
+// again.
 void add_rest_times(World& world, const Island& island, const std::vector<double>& radii,
                     const std::vector<RigidState>& states, double time_step)
 {

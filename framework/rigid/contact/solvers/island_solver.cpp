@@ -69,7 +69,7 @@ double largest(const ContactProblem& problem, std::span<const int> active, const
 // The highest speed |V| + |ω| r of a body at a contact (r: length of the lever arm), relative to
 // the motion of `ground` [m/s]. Changes of velocities below the rounding error of this speed are
 // noise.
-// @param ground  with a body that does not move, the speed is that in world space
+// @param ground  if this body is at rest, the result is the speed in world space
 double fastest(const ContactProblem& problem, const Island& island, std::span<const int> active,
                const Body& ground)
 {

@@ -48,16 +48,17 @@ constexpr double settled = 1e-13; // largest relative change of impulses that en
 // at most this share of the change in the round before. Otherwise more rounds do not help, and the
 // method ends.
 constexpr double gain = 0.5;
-// A line search ends where the slope has fallen to this share of the slope at its start. A smaller
-// share takes more bisections, a larger one more steps of Newton's method.
+// A line search ends where the slope of Φ has fallen to this share of the slope at the start of the
+// search. With a smaller share the search takes more bisections; with a larger share Newton's
+// method takes more steps.
 constexpr double flat = 0.1;
 // Newton's method ends when a step changes velocities by at most this share of the largest
 // velocity.
 constexpr double converged = 1e-13;
 // Rounding error of a velocity, relative to the highest speed. A round computes j - ρ u (j:
-// impulse, u: velocity error of a contact), where ρ = weight/(nᵀKn) multiplies this error. So the
-// rounds end where the impulses change velocities by no more than weight times this error
-// (`rounding` in `solve`).
+// impulse, u: velocity error of a contact), which multiplies the rounding error by ρ =
+// weight/(nᵀKn). So the rounds end where the impulses change velocities by at most the weight times
+// this error (`rounding` in `solve`).
 constexpr double u_rounding = 1e-15;
 
 // Indices in `island.bodies`, sorted by the height of the bodies from the lowest up. The order does
