@@ -111,8 +111,8 @@ private:
         gradients_.push_back(gradient);
     }
 
-    // Removes the contacts of a mesh that stands for a round body for which all of these conditions
-    // hold:
+    // For a mesh that stands for a round body, removes the contacts for which all of these
+    // conditions hold:
     //   1. The contact has a gap.
     //   2. Its normal differs from the gradient by more than `SolidMesh::facet_angle`.
     //   3. Another contact at the same flat face has a smaller gap, and a normal that differs from
