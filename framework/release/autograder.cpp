@@ -36,15 +36,18 @@ trap 'rm -rf "$work"' EXIT
 mkdir -p "$work/class" "$home/results"
 rm -f "$home/results/results.json"
 cp -rP "$home/submission" "$work/class/submission"
-"$home/source/rigor/rigor" grade ASSIGNMENT "$work/class" --out "$work/grades" --jobs 1
+"$home/source/rigor/rigor" grade ASSIGNMENT "$work/class" --out "$work/grades" --jobs 1OPTIONS
 cp "$work/grades/submission/gradescope.json" "$home/results/results.json.new"
 mv "$home/results/results.json.new" "$home/results/results.json" # whole or not at all
 )sh";
 
-std::string script(std::string_view text, const Assignment& assignment)
+// @param options  what `grade` gets besides, such as ` --secret FILE`
+std::string script(std::string_view text, const Assignment& assignment,
+                   const std::string& options = "")
 {
     std::string result(text);
     replace_all(result, "ASSIGNMENT", assignment.name);
+    replace_all(result, "OPTIONS", options);
     return result;
 }
 
@@ -89,7 +92,8 @@ jobs:
 
 } // namespace
 
-ReleasedTree gradescope_tree(const std::filesystem::path& source, const Assignment& assignment)
+ReleasedTree gradescope_tree(const std::filesystem::path& source, const Assignment& assignment,
+                             const std::string& secret)
 {
     ReleasedTree tree;
     const std::vector<std::string> stubs = called_stubs(source, assignment.topic);
@@ -101,7 +105,9 @@ ReleasedTree gradescope_tree(const std::filesystem::path& source, const Assignme
         tree.push_back(std::move(file));
     }
     add_file(tree, {"setup.sh", script(setup_script, assignment), true});
-    add_file(tree, {"run_autograder", script(run_script, assignment), true});
+    if (!secret.empty()) add_file(tree, {"secret", secret + "\n", false});
+    const std::string options = secret.empty() ? "" : " --secret \"$home/source/secret\"";
+    add_file(tree, {"run_autograder", script(run_script, assignment, options), true});
     return tree;
 }
 

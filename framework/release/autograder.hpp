@@ -15,7 +15,11 @@ namespace rigor {
 /// once as root, `run_autograder`, which it runs for each submission, and in `rigor/` the tree that
 /// grades. Where a right solution of the assignment calls stubs in student/ (`called_stubs`), the
 /// tree has the reference's file.
-ReleasedTree gradescope_tree(const std::filesystem::path& source, const Assignment& assignment);
+///
+/// @param secret  draws the random cases of each submission and is in the zip; empty: all
+///                submissions get the same cases
+ReleasedTree gradescope_tree(const std::filesystem::path& source, const Assignment& assignment,
+                             const std::string& secret);
 
 /// The path of the workflow in a template repository for GitHub Classroom.
 inline constexpr const char* workflow_path = ".github/workflows/classroom.yml";

@@ -2,6 +2,7 @@
 #include "cli/instructor/release.hpp"
 
 #include "cli/options.hpp"
+#include "cli/secret.hpp"
 #include "errors/input_error.hpp"
 #include "errors/quotes.hpp"
 #include "grading/class/called_stubs.hpp"
@@ -29,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ReleaseOptions {
-    std::string assignment, out, gradescope, classroom;
+    std::string assignment, out, gradescope, classroom, secret;
 };
 
 // The folder in which a released tree is built to prove that it works. The folder is kept, so files
@@ -105,10 +106,11 @@ void check_place_of(const std::string& file)
                                      std::strerror(errno)));
 }
 
-void release_autograder(const Assignment& assignment, const std::string& file, Steps& steps)
+void release_autograder(const Assignment& assignment, const std::string& file,
+                        const std::string& secret, Steps& steps)
 {
     const fs::path layout = proving_ground("autograder"), draft = layout.string() + ".zip";
-    const std::string bytes = zip_of(gradescope_tree(places().source, assignment));
+    const std::string bytes = zip_of(gradescope_tree(places().source, assignment, secret));
     write_whole(draft, bytes);
     const std::string user =
         prove_autograder(draft, layout, assignment, places().source, steps.on_step());
@@ -122,8 +124,11 @@ void release_autograder(const Assignment& assignment, const std::string& file, S
     fmt::print(
         "{}: {:.1f} MB for Gradescope\n"
         "  set up and run as {}: a solved submission gets every point, a file without formulas "
-        "and an empty submission none\n",
-        file, static_cast<double>(bytes.size()) / 1e6, user);
+        "and an empty submission none\n"
+        "  random cases: {}\n",
+        file, static_cast<double>(bytes.size()) / 1e6, user,
+        secret.empty() ? "the same for all, a student can know them; --secret FILE draws others"
+                       : "drawn from the secret, which is in the zip: keep the zip from students");
     std::fflush(stdout);
 }
 
@@ -143,7 +148,11 @@ int release(const ReleaseOptions& options)
                          (options.assignment.empty()
                               ? std::string()
                               : ", found only " + in_quotes(options.assignment)));
+    if (!options.secret.empty() && options.gradescope.empty())
+        throw InputError("--secret: expected --gradescope FILE beside it, whose random cases it "
+                         "draws");
     // Errors in the options are reported before anything is built.
+    const std::string secret = secret_in(options.secret);
     const bool is_about_one = !options.gradescope.empty() || !options.classroom.empty();
     Assignment assignment;
     if (is_about_one || !options.assignment.empty()) assignment = assignment_of(options);
@@ -158,7 +167,8 @@ int release(const ReleaseOptions& options)
     if (!options.out.empty()) release_tree(students_tree(places().source), options.out, steps);
     if (!options.classroom.empty())
         release_tree(classroom_tree(assignment), options.classroom, steps);
-    if (!options.gradescope.empty()) release_autograder(assignment, options.gradescope, steps);
+    if (!options.gradescope.empty())
+        release_autograder(assignment, options.gradescope, secret, steps);
     return exit_done;
 }
 
@@ -177,9 +187,12 @@ Action declare_release(Options& options)
     options.option("--classroom", "DIR", chosen->classroom,
                    "The students' tree with a workflow that checks an assignment at each push, "
                    "for a template repository on GitHub");
-    options.examples({"release --out handout                 what students get",
-                      "release a4 --gradescope a4.zip        for Gradescope",
-                      "release a4 --classroom a4-template    for GitHub"});
+    options.option("--secret", "FILE", chosen->secret,
+                   "For --gradescope: a file with a secret that draws the random cases, as in "
+                   "`grade`");
+    options.examples({"release --out handout                             what students get",
+                      "release a4 --gradescope a4.zip --secret secret    for Gradescope",
+                      "release a4 --classroom a4-template                for GitHub"});
     return [chosen] { return release(*chosen); };
 }
 

@@ -89,8 +89,9 @@ std::string changes_text(const std::vector<std::optional<Row>>& before,
             changed += !change.empty();
             text += change;
         }
-        if (before[i] && before[i]->has_points()) old_points.push_back(before[i]->points);
-        if (after[i].has_points()) new_points.push_back(after[i].points);
+        // the mean of those that were judged, as in the summary of the class
+        if (before[i] && before[i]->is_judged()) old_points.push_back(before[i]->points);
+        if (after[i].is_judged()) new_points.push_back(after[i].points);
     }
     const std::string same = kept == 0 ? "" : fmt::format(" and {} only in the maximum", kept);
     return text + fmt::format("{} of {} submissions {}{}; the mean of the points: {} → {}\n",

@@ -24,7 +24,7 @@ std::vector<const Row*> judged(const std::vector<Row>& rows)
 {
     std::vector<const Row*> result;
     for (const Row& row : rows)
-        if (row.status == "graded" || row.status == "compile_error") result.push_back(&row);
+        if (row.is_judged()) result.push_back(&row);
     return result;
 }
 
@@ -45,11 +45,11 @@ std::string counts_of_statuses(const std::vector<Row>& rows)
 }
 
 // What became of a task, as a column of the table.
-enum class Fate { passed, failed, stub, not_defined, not_run };
+enum class Fate { passed, failed, stub, not_defined, not_compiled, not_run };
 
 Fate fate_of(const Row& row, std::size_t t)
 {
-    if (row.status == "compile_error") return Fate::not_defined; // none of its tasks is defined
+    if (row.status == "compile_error") return Fate::not_compiled;
     const TaskPoints& task = row.tasks.at(t);
     if (task.status == "passed") return Fate::passed;
     if (task.status == "not_implemented") return Fate::stub;
@@ -58,19 +58,20 @@ Fate fate_of(const Row& row, std::size_t t)
     return Fate::failed;
 }
 
-constexpr const char* table_row = "{:<8}{:<32}{:>7}{:>7}{:>7}{:>13}{:>9}\n";
+constexpr const char* table_row = "{:<8}{:<32}{:>7}{:>7}{:>7}{:>13}{:>15}{:>9}\n";
 
 std::string tasks_table(const std::vector<const Row*>& rows)
 {
     std::string text = fmt::format(fmt::runtime(table_row), "task", "", "passed", "failed", "stub",
-                                   "not defined", "not run");
+                                   "not defined", "compile error", "not run");
     for (std::size_t t = 0; t < rows.front()->tasks.size(); ++t) {
         std::map<Fate, int> n;
         for (const Row* row : rows)
             ++n[fate_of(*row, t)];
         const TaskPoints& task = rows.front()->tasks[t];
         text += fmt::format(fmt::runtime(table_row), task.tag, task.name, n[Fate::passed],
-                            n[Fate::failed], n[Fate::stub], n[Fate::not_defined], n[Fate::not_run]);
+                            n[Fate::failed], n[Fate::stub], n[Fate::not_defined],
+                            n[Fate::not_compiled], n[Fate::not_run]);
     }
     return text;
 }
@@ -101,14 +102,17 @@ std::string wrapped(const std::vector<std::string>& names, std::size_t indent)
     return text;
 }
 
-// Who failed each task.
+// Who failed each task, or has not defined its function.
 std::string failed_by_task(const std::vector<const Row*>& rows)
 {
     std::string text;
     for (std::size_t t = 0; t < rows.front()->tasks.size(); ++t) {
         std::vector<std::string> names;
-        for (const Row* row : rows)
-            if (fate_of(*row, t) == Fate::failed) names.push_back(listed_name(*row));
+        for (const Row* row : rows) {
+            const Fate fate = fate_of(*row, t);
+            if (fate == Fate::failed) names.push_back(listed_name(*row));
+            if (fate == Fate::not_defined) names.push_back(listed_name(*row) + " (not defined)");
+        }
         if (!names.empty())
             text += fmt::format("  {:<8}{}\n", rows.front()->tasks[t].tag, wrapped(names, 10));
     }

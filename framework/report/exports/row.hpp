@@ -28,6 +28,8 @@ struct Row {
 
     /// Whether the submission has points: a fault of the framework gives none, not even zero.
     bool has_points() const { return status != "internal_error"; }
+    /// Whether the submission was judged, also if it does not compile.
+    bool is_judged() const { return status == "graded" || status == "compile_error"; }
 };
 
 /// The row of a result.json. Empty if the text is not the complete result of one submission, or if

@@ -39,7 +39,7 @@ bool has(const ReleasedTree& tree, const std::string& path, bool is_executable)
 TEST_CASE("release: an autograder has its two scripts at the top and all that grades",
           "[release][gradescope]")
 {
-    const ReleasedTree tree = gradescope_tree(places().source, collision());
+    const ReleasedTree tree = gradescope_tree(places().source, collision(), "");
     CHECK(has(tree, "setup.sh", true));
     CHECK(has(tree, "run_autograder", true));
     CHECK(has(tree, "rigor/rigor", true));
@@ -60,6 +60,24 @@ TEST_CASE("release: an autograder has its two scripts at the top and all that gr
             CHECK(count(file.content, "ASSIGNMENT") == 0);
             CHECK(count(file.content, "a4-collision") == 1);
         }
+}
+
+TEST_CASE("release: an autograder with a secret draws other random cases", "[release][gradescope]")
+{
+    const std::string secret = "a secret of the course";
+    for (const bool has_secret : {false, true}) {
+        CAPTURE(has_secret);
+        const ReleasedTree tree =
+            gradescope_tree(places().source, collision(), has_secret ? secret : "");
+        CHECK(has(tree, "secret", false) == has_secret);
+        for (const ReleasedFile& file : tree) {
+            if (file.path == "secret") CHECK(file.content == secret + "\n");
+            if (file.path == "run_autograder")
+                CHECK(count(file.content, "--jobs 1 --secret \"$home/source/secret\"\n") ==
+                      (has_secret ? 1 : 0));
+            if (file.path == "run_autograder") CHECK(count(file.content, "OPTIONS") == 0);
+        }
+    }
 }
 
 TEST_CASE("release: a zip gives back its files and is the same each time", "[release][gradescope]")

@@ -64,7 +64,7 @@ TEST_CASE("changes: a status is one and a class is counted", "[report]")
                     "  c: internal_error → 5/5 points\n"
                     "    A2.1 mass: failed 0/2 → passed 2/2\n"
                     "    A2.2 turn: not_implemented 0/3 → passed 3/3\n"
-                    "2 of 3 submissions change; the mean of the points: 2.50 → 4.00\n");
+                    "2 of 3 submissions change; the mean of the points: 5.00 → 4.00\n");
 }
 
 } // namespace rigor::testing::changes_test

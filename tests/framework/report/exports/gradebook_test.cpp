@@ -35,11 +35,11 @@ TEST_CASE("gradebook: the summary counts tasks and points and names who has no g
     CAPTURE(text);
     CHECK(contains(text, "a2-inertia: 5 submissions: 2 graded, 1 with compile errors, 1 rejected, "
                          "1 not graded for a fault of the framework"));
-    CHECK(contains(text, "        passed failed   stub  not defined  not run\n"));
-    CHECK(contains(text,
-                   "A2.1    mass                                  2      0      0            1"));
-    CHECK(contains(text,
-                   "A2.2    turn                                  1      0      1            1"));
+    CHECK(contains(text, "        passed failed   stub  not defined  compile error  not run\n"));
+    CHECK(contains(text, "A2.1    mass                                  2      0      0            "
+                         "0              1"));
+    CHECK(contains(text, "A2.2    turn                                  1      0      1            "
+                         "0              1"));
     CHECK(contains(text, "out of 5: lowest 0, median 2, mean 2.333, highest 5"));
     CHECK(!contains(text, "\nfailed:\n"));
     CHECK(contains(text, "\n0 points:\n  zed (compile error)\n"));
@@ -58,6 +58,15 @@ TEST_CASE("gradebook: the summary lists students by what Canvas and Moodle call 
     const std::string text = class_summary(rows);
     CAPTURE(text);
     CHECK(contains(text, "failed:\n  A2.1    Doe, Jane_17, doejohn_4711, doejohn_4712, eve\n"));
+}
+
+TEST_CASE("gradebook: who has not defined a function is named too", "[report]")
+{
+    Row row = row_of("alice", "graded", 0, 3);
+    row.tasks[0].status = "compile_error";
+    const std::string text = class_summary({row, row_of("bob", "graded", 2, 3)});
+    CAPTURE(text);
+    CHECK(contains(text, "failed:\n  A2.1    alice (not defined)\n"));
 }
 
 TEST_CASE("gradebook: lines of names begin below each other", "[report]")
