@@ -141,9 +141,9 @@ Vector3d static_friction_impulse(const Matrix3d& K, const Vector3d& v, const Vec
     const double epsilon = restitution;
     const double v_n = v.dot(n);
 
-    // j = K⁻¹ (-v - ε vₙ n), solved by a factorization. Its error grows with the condition number
-    // of K, while that of K.inverse() grows almost with its square (measured at condition number
-    // 1e9: 6e-8 against 2e-2).
+    // j = K⁻¹ (-v - ε vₙ n), solved by a factorization. Its error grows with the condition
+    // number of K, while that of K.inverse() grows almost with its square (measured at condition
+    // number 1e9: 6e-8 against 2e-2).
     return K.ldlt().solve(-v - epsilon * v_n * n);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Solutions of assignment A3: rotation matrices, Euler angles, quaternions and the time integration
-// of a rigid body. `step_buss` is the augmented second-order method of Buss (2000); the other
-// formulas are those of the lecture "Inertia, rotation, impulses", in the order of the tasks.
+// Solutions of assignment A3: rotation matrices, Euler angles, quaternions and the time
+// integration of a rigid body. `step_buss` is the augmented second-order method of Buss (2000); the
+// other formulas are those of the lecture "Inertia, rotation, impulses", in the order of the tasks.
 #include "formulas/rotation.hpp"
 
 #include "formulas/kinematics.hpp"

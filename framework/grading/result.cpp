@@ -42,7 +42,7 @@ const TestCase* TaskResult::of_law(std::string_view law) const
 
 const TestCase* TaskResult::first_failure() const
 {
-    // Of two cases with the same status, one without a seed is chosen: its numbers were chosen by
+    // If two cases have the same status, one without a seed is taken: its numbers were chosen by
     // hand, and are easier to read than random ones.
     const auto rank = [](const TestCase& test) {
         return std::pair(test.status, !test.seed.has_value());

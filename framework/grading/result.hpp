@@ -59,8 +59,8 @@ struct TaskResult {
 
     /// The test case of this law; nullptr if it did not run.
     const TestCase* of_law(std::string_view law) const;
-    /// Of the test cases with the worst outcome, the first one without a seed, or else the first
-    /// one; nullptr if all passed.
+    /// The first test case with the worst outcome, if possible one without a seed; nullptr if all
+    /// passed.
     const TestCase* first_failure() const;
     /// Why the answers are wrong: the first `mistake` of a test case that is not empty; empty if
     /// there is none.

@@ -165,15 +165,15 @@ Violations wide_prose(const Files& texts)
     return violations;
 }
 
-Violations trailing_of_comments(const Files& sources)
+Violations lines_that_begin_with_of(const Files& sources)
 {
     Violations violations;
     for (const File& file : sources)
         for (const Comment& comment : comments(file.lines))
-            if (comment.is_trailing && comment.text.starts_with("of "))
+            if (comment.text.starts_with("of ") || comment.text.starts_with("Of "))
                 violations.push_back({at_line(file, comment.line),
-                                      "a trailing comment that begins with \"of\": say "
-                                      "what it is"});
+                                      "a comment line that begins with \"of\": say what it is, "
+                                      "or break the line elsewhere"});
     return violations;
 }
 
@@ -214,9 +214,9 @@ Violations check_tree(const fs::path& top)
     Violations violations;
     if (sources.empty()) violations.push_back({top.generic_string(), "no sources found"});
     if (texts.empty()) violations.push_back({top.generic_string(), "no Markdown found"});
-    for (const auto rule :
-         {large_folders, including_each_other, sources_without_header, misplaced_tests,
-          wide_comments, trailing_of_comments, graded_checks_without_words, missing_first_lines})
+    for (const auto rule : {large_folders, including_each_other, sources_without_header,
+                            misplaced_tests, wide_comments, lines_that_begin_with_of,
+                            graded_checks_without_words, missing_first_lines})
         append(violations, rule(sources));
     append(violations, wide_script_comments(scripts(top)));
     append(violations, wide_prose(texts));

@@ -25,7 +25,7 @@ Violations misplaced_tests(const Files& sources);
 Violations wide_comments(const Files& sources);
 Violations wide_script_comments(const Files& scripts);
 Violations wide_prose(const Files& texts);
-Violations trailing_of_comments(const Files& sources);
+Violations lines_that_begin_with_of(const Files& sources);
 Violations graded_checks_without_words(const Files& sources);
 Violations missing_first_lines(const Files& sources);
 

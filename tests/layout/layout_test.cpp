@@ -219,14 +219,17 @@ TEST_CASE("layout: builds and hidden folders are no part of the tree", "[layout]
     CHECK(tree.violations().empty());
 }
 
-TEST_CASE("layout: a trailing comment does not begin with of", "[layout]")
+TEST_CASE("layout: no line of a comment begins with of", "[layout]")
 {
     const Tree tree;
-    tree.write("reference/a.cpp", licence + "// of a whole line\nint offset; // offset\n");
+    tree.write("reference/a.cpp", licence + "// offsets of a\nint offset; // offset\n");
     CHECK(tree.violations().empty());
-    tree.write("reference/a.cpp", licence + "int a; // of a thing\nint b; ///< of another\n");
-    const std::string rule = ": a trailing comment that begins with \"of\": say what it is\n";
-    CHECK(tree.violations() == "reference/a.cpp:2" + rule + "reference/a.cpp:3" + rule);
+    tree.write("reference/a.cpp", licence + "int a; // of a thing\nint b; ///< of another\n"
+                                            "// The length\n// of a line.\n");
+    const std::string rule = ": a comment line that begins with \"of\": say what it is, or break "
+                             "the line elsewhere\n";
+    CHECK(tree.violations() ==
+          "reference/a.cpp:2" + rule + "reference/a.cpp:3" + rule + "reference/a.cpp:5" + rule);
 }
 
 TEST_CASE("layout: the licence line and pragma once are needed", "[layout]")

@@ -46,7 +46,7 @@ Scene shipped_scene(const std::string& name, std::optional<double> time_step,
     return parse_scene(text.dump(), scene.name);
 }
 
-// Of the quaternions q and -q, which are the same rotation, the one that is nearer to `other`.
+// The one of q and -q, which are the same rotation, that is nearer to `other`.
 Quaternion same_sign(const Quaternion& q, const Quaternion& other)
 {
     const double dot = q.s * other.s + q.v.dot(other.v);

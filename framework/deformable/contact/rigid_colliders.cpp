@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Keeps the movers and surfaces of the rigid bodies during a step of the deformable solids.
-// Impulses act on the movers, substeps move the surfaces, and at the end the impulses become forces
-// of the step of the rigid bodies. As forces they act together with gravity and with the contacts
-// between rigid bodies, so that a body or a stack that rests on a solid does not move.
+// Impulses act on the movers, substeps move the surfaces, and at the end the impulses become
+// forces of the step of the rigid bodies. As forces they act together with gravity and with the
+// contacts between rigid bodies, so that a body or a stack that rests on a solid does not move.
 #include "deformable/contact/rigid_colliders.hpp"
 
 #include "rigid/bodies/orientation.hpp"

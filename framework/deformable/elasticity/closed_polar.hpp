@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The polar decomposition in closed form, for one matrix or several at once.
 //
-// Of all rotations R, the one in F = R S makes Tr(Rᵀ F) largest, namely s = Tr S. With the singular
-// values s₁ ≥ s₂ ≥ |s₃| of F (s₃ < 0 where F is inverted), s = s₁ + s₂ + s₃ is the largest root of
+// The rotation R in F = R S makes Tr(Rᵀ F) as large as a rotation can, namely s = Tr S. The
+// singular values of F are s₁ ≥ s₂ ≥ |s₃| (s₃ < 0 where F is inverted), and s = s₁ + s₂ + s₃ is
+// the largest root of
 //
 //     p(s) = s⁴ - 2 ‖F‖² s² - 8 det F s + ‖F‖⁴ - 4 ‖cof F‖²
 //

@@ -23,8 +23,8 @@ public:
     ///   * its normal is less than 60° from the wanted normal, and
     ///   * corners with material lie on both sides, none of them almost in the plane.
     ///
-    /// Of the possible planes, those through the most points are considered, and the one whose
-    /// normal is nearest to the wanted normal is taken. If no plane is possible, the crack has the
+    /// The possible planes through the most points are considered, and the one whose normal is
+    /// nearest to the wanted normal is taken. If no plane is possible, the crack has the
     /// wanted normal and passes through the mean of the corners with material.
     /// @param parent  the element of the uncracked mesh
     /// @param real    for each corner, 1 if it has material, otherwise 0; at least two corners have

@@ -11,8 +11,8 @@ namespace rigor {
 class LocalEngine : public Engine {
 public:
     /// @param jobs  how many submissions are graded at the same time
-    /// @param part  the prefix of the names of the working folders. If several engines grade parts
-    ///              of one run, each part has a prefix of its own. For a task of Slurm it is
+    /// @param part  the prefix of the names of the working folders. If several engines grade
+    ///              parts of one run, each part has a prefix of its own. For a task of Slurm it is
     ///              `<job id>_<restarts>`, where <restarts> is how often the task was restarted.
     ///              For an engine that grades the whole run it is empty.
     explicit LocalEngine(unsigned jobs, std::string part = {})

@@ -13,8 +13,8 @@ namespace {
 // A contact of a pile counts as closed if its gap is at most this fraction of the contact's radius
 // (`ContactConstraint::radius`). An overlap of the same size is left uncorrected by
 // `position_corrections`. Where two faces rest on each other, the gaps at their corners differ by
-// micrometers. If each contact had to close its own gap in this step, no motion would satisfy all
-// of them. The sweeps would move the load from corner to corner without end, and the pile would
+// micrometers. If each contact had to close its own gap in this step, no motion would satisfy
+// all of them. The sweeps would move the load from corner to corner without end, and the pile would
 // creep and never fall asleep.
 constexpr double closed_gap = 2 * resting_overlap;
 

@@ -67,11 +67,12 @@ std::size_t contact_count(std::span<const ContactPair> pairs)
 bool is_pile(const Island& island)
 {
     // A stack has about one pair of touching bodies for each body; a pile has more. An island of n
-    // bodies is a pile if it has more than `pairs_of_a_body` n + `more_pairs` such pairs. An island
-    // of at most `few_bodies` bodies never counts as a pile. An island of more than `many_bodies`
-    // bodies always does, because Newton's method would be too expensive for it. The values were
-    // chosen by trial: tests/stress has stacks, which must not count as piles, and `bench pile` has
-    // a pile. With 1 or with 3 instead of 1.25 pairs for each body, a test of tests/classics fails.
+    // bodies is a pile if it has more than `pairs_of_a_body` n + `more_pairs` such pairs. An
+    // island of at most `few_bodies` bodies never counts as a pile. An island of more than
+    // `many_bodies` bodies always does, because Newton's method would be too expensive for it. The
+    // values were chosen by trial: tests/stress has stacks, which must not count as piles, and
+    // `bench pile` has a pile. With 1 or with 3 instead of 1.25 pairs for each body, a test of
+    // tests/classics fails.
     constexpr std::size_t many_bodies = 256;
     constexpr double pairs_of_a_body = 1.25, more_pairs = 2;
     const std::size_t bodies = island.bodies.size();

@@ -169,8 +169,8 @@ struct ContactProblem {
     void reset_drives();
     /// Applies the impulse j at x to body 1 and -j at x to body 2 [N s].
     void apply(const ContactConstraint& contact, const Vector3d& x, const Vector3d& j);
-    /// Applies the impulse j at the point x to one body, which is a body of this problem or a copy
-    /// of such a body. A static body stays as it is.
+    /// Applies the impulse j at the point x to one body, which is a body of this problem or a
+    /// copy of such a body. A static body stays as it is.
     void push(Body& body, const Vector3d& x, const Vector3d& j) const;
 };
 

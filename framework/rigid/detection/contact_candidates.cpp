@@ -112,9 +112,9 @@ bool come_near(const ContactSearch& search, const BodyPair& pair, double reach)
     return bounds.overlaps(search.bounds[pair.body2]);
 }
 
-// The margin of body i if it may move by `farthest` [m]: this distance, but at most half the radius
-// of the body. The limit was chosen by trial; without it, one fast body would give all others
-// margins as large as its own path. If a collision moves a body farther than its margin,
+// The margin of body i if it may move by `farthest` [m]: this distance, but at most half the
+// radius of the body. The limit was chosen by trial; without it, one fast body would give all
+// others margins as large as its own path. If a collision moves a body farther than its margin,
 // step/missed_contacts searches beyond the margin.
 double margin(const ContactSearch& search, int i, double farthest)
 {

@@ -54,8 +54,8 @@ enum class Gravity { acts, left_out };
 /// The state of one body after a time step in which gravity alone or nothing acts on it.
 ///
 /// If a body would rotate by more than a quarter turn, the step is divided into equal substeps in
-/// which it rotates by at most a quarter turn (`max_time_step`), but into at most 1000. Four kinds
-/// of flight are never divided:
+/// which it rotates by at most a quarter turn (`max_time_step`), but into at most 1000. Four
+/// kinds of flight are never divided:
 ///
 ///   1. any body by `exact`
 ///   2. an isotropic body by any integrator but `linear`

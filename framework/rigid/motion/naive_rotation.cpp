@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Two simple ways to advance an orientation (lecture "Inertia, rotation, impulses"). The quaternion
-// is converted to a matrix or to Euler angles. These are advanced by the step and converted back.
-// Of the two quaternions of a rotation, the result is the one nearer to the quaternion before the
-// step.
+// is converted to a matrix or to Euler angles. These are advanced by the step and converted
+// back. Of the two quaternions of a rotation, the result is the one nearer to the quaternion before
+// the step.
 #include "rigid/motion/naive_rotation.hpp"
 
 #include "formulas/rotation.hpp"

@@ -11,9 +11,9 @@ namespace rigor {
 /// `advance_matrix` turns the matrix, and `gram_schmidt` makes it a rotation again.
 Quaternion turned_by_gram_schmidt(const Quaternion& q, const Vector3d& omega, double time_step);
 
-/// The orientation after a step under a constant angular velocity in world space, by one Euler step
-/// of the Euler angles (`euler_rates`, `euler_to_matrix`). At gimbal lock the rates of the angles
-/// do not exist, and the orientation stays as it is.
+/// The orientation after a step under a constant angular velocity in world space, by one Euler
+/// step of the Euler angles (`euler_rates`, `euler_to_matrix`). At gimbal lock the rates of the
+/// angles do not exist, and the orientation stays as it is.
 Quaternion turned_by_euler_angles(const Quaternion& q, const Vector3d& omega, double time_step);
 
 } // namespace rigor

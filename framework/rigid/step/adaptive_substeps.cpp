@@ -196,8 +196,8 @@ struct Division {
 Division first_impact(const World& world, const ContactProblem& problem, const Island& island)
 {
     constexpr double just_before = 1 - 1e-9; // so that the bounce lies in the later part
-    // A bounce at the start of the step changes the times of the other bounces. So the first part
-    // of the step, with this share of its length, contains only this bounce.
+    // A bounce at the start of the step changes the times of the other bounces. So the first
+    // part of the step, with this share of its length, contains only this bounce.
     constexpr double alone = 1e-9;
     // If a bounce is nearer to the start than this share of the step, an earlier division has
     // already predicted it, and this division only corrects the time.

@@ -191,8 +191,8 @@ void fly_on(PairWorld& pair, const ContactProblem& impact, const ContactConstrai
     }
 }
 
-// Whether contacts on different sides of the pair got an impulse in the collision stage, as those
-// of a ball in the corner of a room that is one body. These impacts have different times.
+// Whether contacts on different sides of the pair got an impulse in the collision stage, as
+// those of a ball in the corner of a room that is one body. These impacts have different times.
 bool bounced_on_two_sides(const ContactProblem& problem, const ContactPair& pair)
 {
     std::vector<Vector3d> normals;

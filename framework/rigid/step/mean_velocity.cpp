@@ -23,9 +23,9 @@ bool is_of_higher_order(Integrator integrator_under_forces)
 }
 
 // Whether the contacts of an island act along the same normals during the whole step, as on an
-// incline. This is so if v·n is zero at every contact with an impulse, at the start and at the end
-// of the step, and if the collision stage changed no v·n. On the wall of a bowl the normals change,
-// and the mean of two velocities would add energy.
+// incline. This is so if v·n is zero at every contact with an impulse, at the start and at the
+// end of the step, and if the collision stage changed no v·n. On the wall of a bowl the normals
+// change, and the mean of two velocities would add energy.
 bool holds_along_fixed_normals(const ContactProblem& problem, const Island& island,
                                const std::vector<Body>& before)
 {

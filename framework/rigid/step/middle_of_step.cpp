@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The middle of a step, for contacts that move along a curve. The bodies of an island move for half
-// of the step, with the means of their velocities at the start and after the contact stage. With
-// these poses the narrow phase finds the contacts again, and each contact with an impulse is
+// The middle of a step, for contacts that move along a curve. The bodies of an island move for
+// half of the step, with the means of their velocities at the start and after the contact stage.
+// With these poses the narrow phase finds the contacts again, and each contact with an impulse is
 // matched with one of those that it finds. The contacts move along a curve if their v·n has
 // changed.
 #include "rigid/step/middle_of_step.hpp"

@@ -2,8 +2,8 @@
 // The midpoint rule for contacts that move along a curve (Moreau 1999, "Numerical aspects of the
 // sweeping process", Comput. Methods Appl. Mech. Eng. 177). The contact stage has found velocities
 // with the contacts at the start of the step. Now the island is solved with the contacts in the
-// middle of the step, so that the mean of the velocities at the start and at the end obeys the law
-// of contact: it has no part along the normal, and no part along the surface where a contact
+// middle of the step, so that the mean of the velocities at the start and at the end obeys the
+// law of contact: it has no part along the normal, and no part along the surface where a contact
 // sticks. So only the friction of sliding contacts does work. Errors that earlier steps have left
 // are removed.
 #include "rigid/step/midpoint_contact.hpp"

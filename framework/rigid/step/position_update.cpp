@@ -86,9 +86,9 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
                             for (std::size_t at = first; at < last; ++at)
                                 move(island.bodies[at], by_mean_velocity, counted);
                         });
-        // The stage of free flight counted a flight for every body of the island. Only the flights
-        // of bodies without an impulse should count, and `move` has counted these flights a second
-        // time.
+        // The stage of free flight counted a flight for every body of the island. Only the
+        // flights of bodies without an impulse should count, and `move` has counted these flights a
+        // second time.
         counters.free_flights -= island.bodies.size();
     }
 }

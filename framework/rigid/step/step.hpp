@@ -34,8 +34,8 @@
 //   load estimate       weights (no warm start)   initial impulses     contact/load_estimate
 //   solve               initial impulses          velocities, impulses contact/solvers/ or
 //                                                                      contact/one_at_a_time
-//   solve again         contacts in the middle    velocities, impulses step/mean_velocity,
-//                       of the step               contacts             step/midpoint_contact
+//   solve again         contacts in mid-step      velocities, impulses step/mean_velocity,
+//                                                 contacts             step/midpoint_contact
 // 6 position correction gaps, velocities          displacements        contact/position_correction
 // 7 positions           velocities, displacements states               step/position_update
 // 8 refine              states, contacts, memory  states, records      step/impact,

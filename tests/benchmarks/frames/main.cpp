@@ -79,8 +79,8 @@ void measure(Bench& bench)
         images.push_back(opened.renderer->draw(picture));
     const TemporaryFolder folder;
 
-    // The four measurements alternate, and the ratio is taken within a round, so that a slow phase
-    // of the machine affects all of them.
+    // The four measurements alternate, and the ratio is taken within a round, so that a slow
+    // phase of the machine affects all of them.
     std::vector<double> simulating, drawing, encoding, whole, ratio;
     for (int i = 0; i < repeats; ++i) {
         simulating.push_back(seconds([&] { run.simulate([](const Picture&) {}); }));

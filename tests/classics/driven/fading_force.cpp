@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A force that fades as e^(-t/τ) gives the impulse F τ (1 - e^(-t/τ)): a factor may be any function
-// of the time.
+// A force that fades as e^(-t/τ) gives the impulse F τ (1 - e^(-t/τ)): a factor may be any
+// function of the time.
 #include "classics/problems.hpp"
 
 using namespace rigor;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A roller between a belt and a heavy plank goes with the mean of their speeds and turns with half
-// of their difference over its radius (the planet wheel of a gear).
+// A roller between a belt and a heavy plank goes with the mean of their speeds and turns with
+// half of their difference over its radius (the planet wheel of a gear).
 #include "classics/problems.hpp"
 
 using namespace rigor;

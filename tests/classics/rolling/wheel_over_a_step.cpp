@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A ball that rolls against a low step climbs it if it is fast enough: the impact keeps the moment
-// of momentum about the edge, M v (R - s) + I v/R = (I + M R²) ω, and then ½ (I + M R²) ω² must
-// exceed M g s (Irodov, "Problems in general physics").
+// A ball that rolls against a low step climbs it if it is fast enough: the impact keeps the
+// moment of momentum about the edge, M v (R - s) + I v/R = (I + M R²) ω, and then ½ (I + M R²) ω²
+// must exceed M g s (Irodov, "Problems in general physics").
 #include "classics/problems.hpp"
 
 using namespace rigor;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A beam that hangs on two ropes turns to and fro about the vertical: ω² = M g d²/(I l) for ropes
-// of the length l at the distance d from the middle (Kohlrausch, "Praktische Physik").
+// A beam that hangs on two ropes turns to and fro about the vertical: ω² = M g d²/(I l) for
+// ropes of the length l at the distance d from the middle (Kohlrausch, "Praktische Physik").
 #include "classics/problems.hpp"
 
 using namespace rigor;

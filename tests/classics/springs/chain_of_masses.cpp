@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The modes of N equal masses on N + 1 equal springs between walls (Lagrange 1788, "Mécanique
-// analytique"): ωₙ = 2 √(k/M) sin(n π/(2 (N + 1))), with the shape sin(n π i/(N + 1)). With springs
-// of no rest length it holds along the chain and across it, for any amplitude.
+// analytique"): ωₙ = 2 √(k/M) sin(n π/(2 (N + 1))), with the shape sin(n π i/(N + 1)). With
+// springs of no rest length it holds along the chain and across it, for any amplitude.
 #include "classics/problems.hpp"
 
 using namespace rigor;

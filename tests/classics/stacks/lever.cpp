@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Weights balance at distances that are inversely as the weights (Archimedes, "On the equilibrium
-// of planes"). The lever is a board that lies with its middle on a narrow support; what tips it is
-// a moment beyond the reach of the support's edge.
+// Weights balance at distances that are inversely as the weights (Archimedes, "On the
+// equilibrium of planes"). The lever is a board that lies with its middle on a narrow support; what
+// tips it is a moment beyond the reach of the support's edge.
 #include "classics/problems.hpp"
 
 using namespace rigor;

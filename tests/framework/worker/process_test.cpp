@@ -129,8 +129,8 @@ TEST_CASE("worker: a process that gets no processor is not late")
         try {
             attacked();
         } catch (const WorkerFailure& failure) {
-            // Of the time that a process waits for a processor, a tenth counts. So only a wait of
-            // ten times the limit is late.
+            // A tenth of the time counts in which a process waits for a processor. So only a wait
+            // that lasts ten times the limit is late.
             CAPTURE(failure.what());
             REQUIRE(Seconds(Clock::now() - start) > 9 * limits.call);
             return;

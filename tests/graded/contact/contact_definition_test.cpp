@@ -162,14 +162,19 @@ int visits(const ContactCase& problem, int n)
     return n * static_cast<int>(problem.contacts.size());
 }
 
-// A light body on the ground and a heavy one on it, which fall at 1 m/s. The heavy body is `ratio`
-// times as heavy, so that about as many iterations are needed to stop both.
-ContactCase heavy_on_light(double ratio)
+// A light body on the ground and a heavy one on it fall at 1 m/s. The heavy body is n times as
+// heavy, so that about n iterations are needed to stop both.
+//
+// @param resolve, definition  compute the ContactResult from a ContactCase and n
+template <class Resolve, class Definition>
+void check_many_iterations(const Resolve& resolve, const Definition& definition)
 {
-    return stack({1, ratio});
+    for (const int n : {30, 120, 600, 3000, 25'000}) {
+        CAPTURE(n);
+        const ContactCase problem = stack({1, static_cast<double>(n)});
+        check_impulses(problem, resolve(problem, n), definition(problem, n), visits(problem, n));
+    }
 }
-
-constexpr int many_iterations[] = {30, 120, 600, 3000, 25'000};
 
 } // namespace
 
@@ -227,33 +232,30 @@ TEST_CASE("contact: simultaneously as the definition says", "[A5.5][contact]")
 
 TEST_CASE("contact: one at a time any number of iterations counts", "[A5.2][contact]")
 {
-    for (const int n : many_iterations) {
-        CAPTURE(n);
-        const ContactCase problem = heavy_on_light(n);
-        const ContactResult result = resolve_contacts(problem.bodies, problem.contacts, n);
-        check_impulses(problem, result, one_at_a_time(problem, n), visits(problem, n));
-    }
+    check_many_iterations(
+        [](const ContactCase& problem, int n) {
+            return resolve_contacts(problem.bodies, problem.contacts, n);
+        },
+        one_at_a_time);
 }
 
 TEST_CASE("contact: on one level any number of iterations counts", "[A5.4][contact]")
 {
-    for (const int n : many_iterations) {
-        CAPTURE(n);
-        const ContactCase problem = heavy_on_light(n);
-        const std::vector<int> levels = {0, 1, 1};
-        const ContactResult result = shock_propagation(problem.bodies, problem.contacts, levels, n);
-        check_impulses(problem, result, level_by_level(problem, levels, n), visits(problem, n));
-    }
+    const std::vector<int> levels = {0, 1, 1};
+    check_many_iterations(
+        [&](const ContactCase& problem, int n) {
+            return shock_propagation(problem.bodies, problem.contacts, levels, n);
+        },
+        [&](const ContactCase& problem, int n) { return level_by_level(problem, levels, n); });
 }
 
 TEST_CASE("contact: simultaneously any number of sweeps counts", "[A5.5][contact]")
 {
-    for (const int n : many_iterations) {
-        CAPTURE(n);
-        const ContactCase problem = heavy_on_light(n);
-        const ContactResult result = resolve_simultaneously(problem.bodies, problem.contacts, n);
-        check_impulses(problem, result, simultaneously(problem, n), visits(problem, n));
-    }
+    check_many_iterations(
+        [](const ContactCase& problem, int n) {
+            return resolve_simultaneously(problem.bodies, problem.contacts, n);
+        },
+        simultaneously);
 }
 
 } // namespace rigor::testing::contact_definition_test

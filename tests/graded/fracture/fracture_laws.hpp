@@ -208,8 +208,8 @@ tetrahedra_of_faces(const TetrahedralMesh& mesh)
     return result;
 }
 
-/// Links between corners, where corner c of tetrahedron t is 4 t + c. If a face holds, the corners
-/// of the same vertex on both sides of it are linked.
+/// Links between corners, where corner c of tetrahedron t is 4 t + c. If a face holds, the
+/// corners of the same vertex on both sides of it are linked.
 template <class Holds>
 std::vector<std::array<int, 2>> links_through_faces(const TetrahedralMesh& mesh, Holds holds)
 {

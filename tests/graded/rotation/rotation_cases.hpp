@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Helpers of the tests of topic `rotation`: conversions to Eigen's quaternion and back, the bodies
-// of the lecture's examples, and random input for one step. Expected values come from plain Eigen.
+// Helpers of the tests of topic `rotation`: conversions to Eigen's quaternion and back, the
+// bodies of the lecture's examples, and random input for one step. Expected values come from plain
+// Eigen.
 #pragma once
 
 #include "support/random.hpp"

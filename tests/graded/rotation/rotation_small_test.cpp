@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A3: Euler angles from the smallest to many turns, quaternions with a tiny component, and products
-// of small and large ones.
+// A3: Euler angles from the smallest to many turns, quaternions with a tiny component, and
+// products of small and large ones.
 #include "formulas/rotation.hpp"
 #include "support/close.hpp"
 #include "support/random.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Depth of the overlap of spheres, boxes and planes. A signed separation is computed for each pair
-// of shapes in closed form. For two boxes it is the largest one along the 15 axes of Gottschalk,
-// Lin and Manocha (1996). The depth is the negative separation, or 0.
+// Depth of the overlap of spheres, boxes and planes. A signed separation is computed for each
+// pair of shapes in closed form. For two boxes it is the largest one along the 15 axes of
+// Gottschalk, Lin and Manocha (1996). The depth is the negative separation, or 0.
 #include "support/shapes/depth.hpp"
 
 #include <algorithm>

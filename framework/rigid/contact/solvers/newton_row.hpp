@@ -33,8 +33,9 @@ inline Split split(const NewtonRow& row, const Vector3d& y)
     return {normal, y - normal * row.n};
 }
 
-// Velocity of the point of a body at the end of the lever arm r [m/s]. The unknowns v are V and ω
-// of each body that can move. A static body has the index -1, and its velocity counts as zero here.
+// Velocity of the point of a body at the end of the lever arm r [m/s]. The unknowns v are V and
+// ω of each body that can move. A static body has the index -1, and its velocity counts as zero
+// here.
 inline Vector3d velocity(const Eigen::VectorXd& v, int body, const Vector3d& r)
 {
     if (body < 0) return Vector3d::Zero();

@@ -45,9 +45,9 @@ struct Axis {
     Vector3d direction = Vector3d::Zero();
 };
 
-// Quantities that the test of each axis needs: C = AᵀB, where the columns of A and B are the axes
-// of boxes a and b; the absolute values of the elements of C; and the vector from the center of a
-// to that of b in the frame of each box.
+// Quantities that the test of each axis needs: C = AᵀB, where the columns of A and B are the
+// axes of boxes a and b; the absolute values of the elements of C; and the vector from the
+// center of a to that of b in the frame of each box.
 struct RelativePose {
     Matrix3d C, C_abs;
     Vector3d d_a, d_b;

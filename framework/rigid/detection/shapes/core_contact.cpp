@@ -28,8 +28,8 @@ namespace {
 constexpr int segment_samples = 17, circle_samples = 48;
 constexpr int golden_steps = 42; // they shorten an interval to 0.618⁴² = 2e-9 of its length
 // A minimum between two samples becomes one more contact only if its gap is smaller than the gap at
-// the sample by more than this fraction of the core's length. A smaller difference may be an error
-// of the search.
+// the sample by more than this fraction of the core's length. A smaller difference may be an
+// error of the search.
 constexpr double least_improvement = 1e-9;
 
 // A core curve with a radius around it, in the frame of the other shape.
@@ -137,9 +137,9 @@ private:
     double gap(double s) const { return field_.ball_distance(core_.at(s), core_.radius); }
 
     // Adds points of a circle as contacts: eight fixed points if the other shape is equally near
-    // everywhere, otherwise the point nearest to the other shape and the three points at quarters
-    // of a turn from it. Fixed points of a torus that rolls would hit the other shape one after the
-    // other like the spokes of a wheel without a rim.
+    // everywhere, otherwise the point nearest to the other shape and the three points at
+    // quarters of a turn from it. Fixed points of a torus that rolls would hit the other shape one
+    // after the other like the spokes of a wheel without a rim.
     // @return the parameter of the nearest point
     double add_around_lowest(const std::vector<double>& gaps, double step)
     {

@@ -86,7 +86,7 @@ private:
         for (int i = first; i < last; ++i) {
             const int number = surface_.point_tree().order()[i];
             const double gap = field_.distance(pose_ * surface_.points()[number].point);
-            // Of points that are equally near, the one with the lowest index is taken: a vertex
+            // If points are equally near, the one with the lowest index is taken: a vertex
             // rather than a point on an edge, and a point on an edge rather than one on a face.
             const bool is_nearer = nearest < 0        ? gap < reach_
                                    : number < nearest ? gap < least + as_near

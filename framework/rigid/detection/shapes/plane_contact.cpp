@@ -72,9 +72,9 @@ private:
     }
 
     // Adds points of a circle about y: eight fixed points if the circle is parallel to the plane,
-    // otherwise the lowest point and the three points at quarters of a turn from it. Fixed points
-    // of a circle that rolls would hit the plane one after the other like the spokes of a wheel
-    // without a rim.
+    // otherwise the lowest point and the three points at quarters of a turn from it. Fixed
+    // points of a circle that rolls would hit the plane one after the other like the spokes of a
+    // wheel without a rim.
     void add_circle(double radius, double height, double tube) const
     {
         constexpr double flat = 1e-6; // sine of the largest angle that counts as parallel

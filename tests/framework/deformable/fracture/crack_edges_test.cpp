@@ -71,7 +71,7 @@ TEST_CASE("crack edges: a crack goes on through the cuts on the face that it com
         REQUIRE(crack.tetrahedron == 1);
         for (const Vector3d& cut : cuts)
             REQUIRE_THAT(crack.normal.dot(cut - crack.point), IsClose(0.0, Rounding(64, 2)));
-        // Of all planes through both cuts, this is the one nearest to the wanted normal.
+        // This is the plane through both cuts whose normal is nearest to the wanted one.
         const Vector3d nearest = (wanted - wanted.dot(d) * d).normalized();
         REQUIRE_THAT(crack.normal, IsClose(nearest, Rounding(64)));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of a nearly skew matrix only the lower half is read, with half of its small symmetric part.
+// Only the lower half of a nearly skew matrix is read, with half of its small symmetric part.
 #include "formulas/kinematics.hpp"
 
 namespace rigor {
