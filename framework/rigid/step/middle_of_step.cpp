@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The middle of a step, for contacts that move along a curve. The bodies of an island move for
-// half of the step, with the means of their velocities at the start and after the contact stage.
-// With these poses the narrow phase finds the contacts again, and each contact with an impulse is
-// matched with one of those that it finds. The contacts move along a curve if their v·n has
-// changed.
+// The middle of a step, for contacts that move along a curve or along a body. The bodies of an
+// island move for half of the step, with the means of their velocities at the start and after the
+// contact stage. With these poses the narrow phase finds the contacts again, and each contact with
+// an impulse is matched with one of those that it finds. A contact moves along a curve if its v·n
+// has changed, and along a body if its lever arm has changed.
 #include "rigid/step/middle_of_step.hpp"
 
 #include "rigid/bodies/orientation.hpp"
@@ -35,13 +35,14 @@ bool has_mesh(const RigidBody& body)
                        [](const Part& part) { return std::holds_alternative<Mesh>(part.shape); });
 }
 
-// Whether a body is a belt, or has a drive that does not move it along a line at a constant
-// velocity during the whole step.
+// Whether a body is a belt, or has a drive that neither moves it along a line nor turns it about a
+// fixed axis, at a constant velocity during the whole step.
 bool is_driven_unevenly(const RigidBody& body, double time, double time_step)
 {
     if (!body.drive) return false;
     const Drive& d = *body.drive;
-    return d.is_belt || !d.angular_velocity.isZero(0) || !d.amplitude.isZero(0) || d.start > time ||
+    const bool moves_and_turns = !d.velocity.isZero(0) && !d.angular_velocity.isZero(0);
+    return d.is_belt || moves_and_turns || !d.amplitude.isZero(0) || d.start > time ||
            d.end < time + time_step;
 }
 
@@ -177,6 +178,46 @@ bool find_middle(const World& world, const ContactProblem& problem, const std::v
     return true;
 }
 
+// Whether a contact touches a driven body that turns.
+bool touches_a_turning_drive(const World& world, const ContactConstraint& c)
+{
+    const auto turns = [&](int i) {
+        const auto& drive = world.bodies[i].drive;
+        return drive && !drive->angular_velocity.isZero(0);
+    };
+    return turns(c.body1) || turns(c.body2);
+}
+
+// Whether a contact slides: its friction is at the limit, up to rounding.
+bool slides(const ContactConstraint& c)
+{
+    constexpr double rounding = 1e-9;
+    const double j_n = c.contact_impulse.dot(c.normal);
+    const double j_T = (c.contact_impulse - j_n * c.normal).norm();
+    return j_T >= (1 - rounding) * c.friction * j_n;
+}
+
+// Whether a contact moves along one of the bodies of the island from the start to the middle of the
+// step, so that the load of this body on the contact changes: both in world space and in object
+// space, the lever arm changes by more than `least_change` times the radius. (The lever arm of a
+// wheel that spins on the spot changes in object space alone, and that of a corner of a body that
+// turns in world space alone.)
+// @param poses  those in the middle of the step
+bool moves_along_a_body(const ContactConstraint& start, const Contact& middle, const World& world,
+                        const std::vector<Pose>& poses, const std::map<int, Body>& moved)
+{
+    const double least = least_change * start.radius;
+    return std::any_of(moved.begin(), moved.end(), [&](const auto& entry) {
+        const int i = entry.first;
+        if (i != start.body1 && i != start.body2) return false;
+        const auto& [R, X] = poses[i];
+        const Pose first = pose_of(world.bodies[i].state);
+        const Vector3d r = start.point - first.X, r_mid = middle.point - X;
+        return (r_mid - r).norm() > least &&
+               (R.transpose() * r_mid - first.R.transpose() * r).norm() > least;
+    });
+}
+
 } // namespace
 
 Vector3d velocity_at(const Contact& c, const Body& body1, const Body& body2)
@@ -211,7 +252,7 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
         if (!body.is_static()) body.angular_velocity = body.inverse_inertia * body.angular_momentum;
         return body;
     };
-    bool any_curve = false;
+    bool any_shift = false, any_turning_drive = false, all_slide = true;
     for (auto begin = held.begin(), end = begin; begin != held.end(); begin = end) {
         const std::pair<int, int> pair = bodies_of(*begin);
         end = std::find_if(begin, held.end(),
@@ -229,10 +270,18 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
             contact.change =
                 std::max(std::abs(contact.v_middle.dot(n) - contact.v_start.dot(c.normal)),
                          std::abs(v_last_middle.dot(n) - v_last.dot(c.normal)));
-            any_curve |= contact.change > contact.negligible;
+            middle.has_curve |= contact.change > contact.negligible;
+            any_shift |= slip(contact.v_start, c.normal).norm() > contact.negligible &&
+                         moves_along_a_body(c, contact.middle, world, poses, middle.bodies);
+            any_turning_drive |= touches_a_turning_drive(world, c);
+            all_slide &= slides(c);
         }
     }
-    if (!any_curve) return std::nullopt;
+    // In the contact stage, bodies stick to the velocity that the surface of a turning body has at
+    // the end of the step. So the slip of such a contact at the start is no error of the last step.
+    if (any_turning_drive && (middle.has_curve || !all_slide)) return std::nullopt;
+    // A single contact carries the whole load wherever it is.
+    if (!middle.has_curve && !(any_shift && held.size() > 1)) return std::nullopt;
     return middle;
 }
 

@@ -30,20 +30,25 @@ struct HeldContact {
 struct MiddleOfStep {
     std::vector<HeldContact> contacts;
     std::map<int, Body> bodies;
+    // Whether a contact moves along a curve. Otherwise the loads of contacts that slide change,
+    // because the contacts move along a body, as below a plank that slides over two rollers.
+    bool has_curve = false;
 };
 
-/// Computes the middle of the step for an island whose contacts with an impulse move along a curve.
-/// These islands are left out: large ones (more than `few_bodies` bodies or 32 contacts), those
-/// that touch no static body, those that have or touch a mesh, and those that touch a belt or a
-/// driven body, unless this body moves along a line at a constant velocity. With the contact
-/// methods `one_at_a_time` and `shock_propagation`, all islands are left out.
+/// Computes the middle of the step for an island whose contacts with an impulse move along a curve,
+/// or slide along a body whose weight they share. These islands are left out: large ones (more than
+/// `few_bodies` bodies or 32 contacts), those that touch no static body, those that have or touch a
+/// mesh, and those that touch a belt or a driven body, unless this body moves along a line or turns
+/// about a fixed axis, at a constant velocity. On a body that turns, all contacts must slide, and
+/// none may move along a curve. With the contact methods `one_at_a_time` and `shock_propagation`,
+/// all islands are left out.
 ///
 /// @param first    the bodies after the collision stage, before the forces
 /// @param problem  after the contact stage
 /// @param poses    poses of all bodies at the start of the step; those of the island's bodies and
 ///                 those of driven bodies that touch them may be changed
-/// @return nothing if the island is left out, if no contact moves along a curve, or if a contact is
-///         not found again in the middle of the step
+/// @return nothing if the island is left out, if no contact moves in one of these ways, or if a
+///         contact is not found again in the middle of the step
 std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProblem& problem,
                                            const Island& island, const std::vector<Body>& first,
                                            std::vector<Pose>& poses);

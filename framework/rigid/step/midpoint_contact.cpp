@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The midpoint rule for contacts that move along a curve (Moreau 1999, "Numerical aspects of the
-// sweeping process", Comput. Methods Appl. Mech. Eng. 177). The contact stage has found velocities
-// with the contacts at the start of the step. Now the island is solved with the contacts in the
-// middle of the step, so that the mean of the velocities at the start and at the end obeys the
-// law of contact: it has no part along the normal, and no part along the surface where a contact
-// sticks. So only the friction of sliding contacts does work. Errors that earlier steps have left
-// are removed.
+// The midpoint rule for contacts that move along a curve or along a body (Moreau 1999, "Numerical
+// aspects of the sweeping process", Comput. Methods Appl. Mech. Eng. 177). The contact stage has
+// found velocities with the contacts at the start of the step. Now the island is solved with the
+// contacts in the middle of the step, so that the mean of the velocities at the start and at the
+// end obeys the law of contact: it has no part along the normal, and no part along the surface
+// where a contact sticks. So only the friction of sliding contacts does work. Errors that earlier
+// steps have left are removed.
 #include "rigid/step/midpoint_contact.hpp"
 
 #include "rigid/contact/blocks.hpp"
@@ -94,6 +94,7 @@ void add_contact(const ContactProblem& whole, const std::vector<Body>& first,
         if (const auto found = mid.places.find(i); found != mid.places.end()) return found->second;
         Body ground = first[i];
         ground.velocity = 2 * ground.velocity + error_of_ground;
+        ground.angular_velocity *= 2;
         problem.bodies.push_back(ground);
         return static_cast<int>(problem.bodies.size()) - 1;
     };
@@ -224,7 +225,7 @@ MidpointResult solve_at_midpoint(const World& world, const std::vector<Body>& fi
     std::vector<Vector3d> errors;
     for (const HeldContact& contact : middle->contacts) {
         const std::optional<Vector3d> error = error_of(problem, contact);
-        if (!error) return MidpointResult::refused;
+        if (!error) return middle->has_curve ? MidpointResult::refused : MidpointResult::not_tried;
         errors.push_back(*error);
     }
     std::vector<Body> forced;

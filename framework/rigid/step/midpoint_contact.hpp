@@ -15,7 +15,9 @@ enum class MidpointResult {
 
 /// Solves the contact stage of an island a second time, with the contacts in the middle of the
 /// step. This is done where contacts move along a curve: for a ball that rolls off another one, a
-/// disk on its rim, a stick that turns about its foot (middle_of_step.hpp has the conditions).
+/// disk on its rim, a stick that turns about its foot. It is also done where contacts slide along a
+/// body and their loads change, as below a plank on two rollers (middle_of_step.hpp has the
+/// conditions).
 ///
 /// If the island is solved again, its bodies get their velocities at the end of the step, and its
 /// contacts get the impulses and normals of the middle of the step. The points of these contacts

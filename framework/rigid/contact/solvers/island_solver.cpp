@@ -10,6 +10,7 @@
 #include "rigid/contact/solvers/newton_contact.hpp"
 #include "rigid/contact/solvers/optimised_sweeps.hpp"
 #include "rigid/contact/solvers/run_sweeps.hpp"
+#include "rigid/contact/solvers/shared_loads.hpp"
 #include "rigid/contact/solvers/simultaneous_sweeps.hpp"
 
 #include <algorithm>
@@ -290,7 +291,8 @@ void continue_by_newton(ContactProblem& problem, const Island& island, std::span
 void solve_island(ContactProblem& problem, const Island& island, std::span<const int> active)
 {
     const SolvePlan plan = plan_for(problem, island, active);
-    const std::unique_ptr<Sweeps> sweeps = sweeps_of(problem, island, active);
+    const std::unique_ptr<Sweeps> sweeps =
+        with_shared_loads(problem, island, active, sweeps_of(problem, island, active));
     const Residuals swept = run_sweeps(problem, *sweeps, active.size(), plan.limits);
     if (!swept.has_converged && (plan.may_use_newton || is_far_off(problem, island, plan, swept)))
         continue_by_newton(problem, island, active, plan, swept, *sweeps);
