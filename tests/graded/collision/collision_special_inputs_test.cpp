@@ -102,24 +102,26 @@ TEST_CASE("collision: what falls straight sticks where K couples the directions"
 TEST_CASE("collision: a negative restitution of an impulse without friction", "[A4.5][collision]")
 {
     const Matrix3d K = leaning();
-    const Vector3d v(3, -2, 1);
-    for (const double restitution : negative_restitutions) {
-        CAPTURE(restitution);
-        REQUIRE_THAT(frictionless_impulse(K, v, up, restitution),
-                     IsClose(Vector3d((1 + restitution) * 2 / K(1, 1) * up), Rounding(16, 1)));
-    }
+    for (const double v_n : {-2, 2}) // also of bodies that separate
+        for (const double restitution : negative_restitutions) {
+            CAPTURE(v_n, restitution);
+            const Vector3d j = -(1 + restitution) * v_n / K(1, 1) * up;
+            REQUIRE_THAT(frictionless_impulse(K, {3, v_n, 1}, up, restitution),
+                         IsClose(j, Rounding(16, 1)));
+        }
 }
 
 TEST_CASE("collision: a negative restitution of what sticks", "[A4.6][collision]")
 {
     const Matrix3d K = leaning();
-    const Vector3d v(3, -2, 1);
-    for (const double restitution : negative_restitutions) {
-        CAPTURE(restitution);
-        REQUIRE_THAT(static_friction_impulse(K, v, up, restitution),
-                     IsClose(sticking(K, v, restitution),
-                             Rounding(64, terms_of_sticking(K, v, restitution))));
-    }
+    for (const double v_n : {-2, 2}) // also of bodies that separate
+        for (const double restitution : negative_restitutions) {
+            CAPTURE(v_n, restitution);
+            const Vector3d v(3, v_n, 1);
+            REQUIRE_THAT(static_friction_impulse(K, v, up, restitution),
+                         IsClose(sticking(K, v, restitution),
+                                 Rounding(64, terms_of_sticking(K, v, restitution))));
+        }
 }
 
 TEST_CASE("collision: a negative restitution of what slides", "[A4.8][collision]")
@@ -127,13 +129,14 @@ TEST_CASE("collision: a negative restitution of what slides", "[A4.8][collision]
     const Matrix3d K = leaning();
     const double friction = 0.3;
     for (const Vector3d& T : {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 0, 1)})
-        for (const double restitution : negative_restitutions) {
-            CAPTURE(T, restitution);
-            const Vector3d cone = up - friction * T;
-            const double j_n = (1 + restitution) * 2 / up.dot(K * cone);
-            REQUIRE_THAT(sliding_friction_impulse(K, 5 * T - 2 * up, up, restitution, friction),
-                         IsClose(Vector3d(j_n * cone), Rounding(64, 1)));
-        }
+        for (const double v_n : {-2, 2}) // also of bodies that separate
+            for (const double restitution : negative_restitutions) {
+                CAPTURE(T, v_n, restitution);
+                const Vector3d cone = up - friction * T, v = 5 * T + v_n * up;
+                const double j_n = -(1 + restitution) * v_n / up.dot(K * cone);
+                REQUIRE_THAT(sliding_friction_impulse(K, v, up, restitution, friction),
+                             IsClose(Vector3d(j_n * cone), Rounding(64, 1)));
+            }
 }
 
 TEST_CASE("collision: a negative restitution leaves a part of the approach", "[A4.9][collision]")

@@ -84,6 +84,21 @@ TEST_CASE("contact: the first sweep on a floor or a wall", "[A5.5][contact]")
     }
 }
 
+TEST_CASE("contact: the first sweep where the normal leans a little", "[A5.5][contact]")
+{
+    for (Random random : seeds(5)) {
+        const SingleContact contact = random_contact(random);
+        for (int power = -2; power >= -50; power -= 4)
+            for_each_axis([&](const Vector3d& axis, const Vector3d& t, const Vector3d& b) {
+                const double angle = std::ldexp(1, power);
+                CAPTURE(axis, angle);
+                const Vector3d n = std::cos(angle) * axis + std::sin(angle) * t,
+                               across = std::cos(angle) * t - std::sin(angle) * axis;
+                check_first_sweep(contact, n, across, b, 10, {0, 0, 0});
+            });
+    }
+}
+
 TEST_CASE("contact: without friction no tangential impulse is left of the start", "[A5.5][contact]")
 {
     for (Random random : seeds(20)) {

@@ -49,22 +49,31 @@ TEST_CASE("contact: all at once, any starting impulse is applied", "[A5.5][conta
 
 TEST_CASE("contact: the highest of many supports decides, wherever it is listed", "[A5.3][contact]")
 {
-    for (const int count : {3, 7, 20, 70, 300})
-        for (const int place : {0, count / 2, count}) {
-            CAPTURE(count, place);
-            // 0 is static, 1 rests on 0, 2 on 1; `count` bodies have level 1, and one rests on all
-            std::vector<std::vector<int>> rests_on = {{}, {0}, {1}};
-            std::vector<int> supports;
-            for (int i = 0; i < count; ++i) {
-                supports.push_back(static_cast<int>(rests_on.size()));
-                rests_on.push_back({0});
+    for (const int count : {3, 7, 20, 70, 300, 1000, 66000})
+        for (const int place : {0, count / 2, count})
+            for (const bool is_reversed : {false, true}) {
+                CAPTURE(count, place, is_reversed);
+                // 0 is static, 1 rests on 0, 2 on 1; `count` bodies have level 1; one rests on all
+                std::vector<std::vector<int>> rests_on = {{}, {0}, {1}};
+                std::vector<int> supports;
+                for (int i = 0; i < count; ++i) {
+                    supports.push_back(static_cast<int>(rests_on.size()));
+                    rests_on.push_back({0});
+                }
+                supports.insert(supports.begin() + place, 2);
+                rests_on.push_back(supports);
+                const int last = static_cast<int>(rests_on.size()) - 1;
+                if (is_reversed) { // so that the body is reached before its supports
+                    std::reverse(rests_on.begin(), rests_on.end());
+                    for (std::vector<int>& below : rests_on)
+                        for (int& body : below)
+                            body = last - body;
+                }
+                std::vector<bool> is_static(rests_on.size(), false);
+                is_static[is_reversed ? last : 0] = true;
+                const std::vector<int> levels = contact_levels(rests_on, is_static);
+                check_count(is_reversed ? levels.front() : levels.back(), 3, "levels");
             }
-            supports.insert(supports.begin() + place, 2);
-            rests_on.push_back(supports);
-            std::vector<bool> is_static(rests_on.size(), false);
-            is_static[0] = true;
-            check_count(contact_levels(rests_on, is_static).back(), 3, "levels");
-        }
 }
 
 TEST_CASE("contact: a cycle is above what any of its bodies rests on", "[A5.3][contact]")

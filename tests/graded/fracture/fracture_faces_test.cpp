@@ -258,6 +258,41 @@ TEST_CASE("fracture: with every face cut each tetrahedron is alone", "[A7.5][fra
     check_count(piece_count(result.mesh), 12, "pieces");
 }
 
+TEST_CASE("fracture: what is cut out of the inside comes off", "[A7.5][fracture]")
+{
+    // One or several tetrahedra, the first of which has no vertex on the surface: all faces between
+    // those that are cut out and the others are cut.
+    const TetrahedralMesh mesh = block(3, 3, 3);
+    std::vector<int> inside;
+    for (int t = 0; t < tetrahedron_count(mesh); ++t)
+        if (std::all_of(mesh.tetrahedra[t].begin(), mesh.tetrahedra[t].end(), [&](int v) {
+                const Vector3d& x = mesh.vertices[v];
+                return x.minCoeff() > 0.5 && x.maxCoeff() < 2.5;
+            }))
+            inside.push_back(t);
+    for (Random random : seeds(60)) {
+        const int wanted = 1 + random_index(random, 4);
+        std::set<int> out = {inside[random_index(random, inside.size())]};
+        const auto neighbours = links_through_faces(mesh, [](const auto&) { return true; });
+        for (int tries = 0; std::ssize(out) < wanted && tries < 1000; ++tries) {
+            const auto& [one, other] = neighbours[random_index(random, neighbours.size())];
+            if (out.contains(one / 4)) out.insert(other / 4);
+        }
+        std::map<std::array<int, 3>, int> sides; // how many sides of a face are cut out
+        for (const int t : out)
+            for (int f = 0; f < 4; ++f)
+                ++sides[face_vertices(mesh.tetrahedra[t], f)];
+        Faces faces;
+        for (const int t : out)
+            for (int f = 0; f < 4; ++f)
+                if (sides[face_vertices(mesh.tetrahedra[t], f)] == 1) faces.push_back({t, f});
+        const SplitMesh result = split(mesh, faces);
+        CAPTURE(wanted);
+        check_definition(mesh, faces, result);
+        check_split(mesh, result);
+    }
+}
+
 TEST_CASE("fracture: what faces hold together is one vertex and nothing else is",
           "[A7.5][fracture][property]")
 {

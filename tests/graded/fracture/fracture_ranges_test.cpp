@@ -99,7 +99,7 @@ TEST_CASE("fracture: of faces that are nearly equally near the nearer one", "[A7
         const Matrix3d R = random.rotation();
         const std::array<Vector3d, 4> flat = {R * Vector3d(0, 0, 0), R * Vector3d(1, 0, 0),
                                               R * Vector3d(0, 1, 0), R * Vector3d(0, 0, 0.1)};
-        for (int power = 1; power <= 12; ++power)
+        for (int power = 1; power <= 13; ++power)
             for (const double x : {1.0, -1.0})
                 for (const double y : {1.0, -1.0}) {
                     const double more = 1 + std::pow(10.0, -power);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A2: solids of every proportion, from leaves to needles, and with sizes that are multiples of each
-// other.
+// A2: solids of every proportion, from leaves to needles, with sizes that are multiples of each
+// other or nearly equal, and of every density.
 #include "formulas/inertia.hpp"
 #include "support/close.hpp"
 
@@ -40,7 +40,7 @@ void check_ellipsoid(const Vector3d& a)
                 m / 5 * Vector3d(q.y() + q.z(), q.z() + q.x(), q.x() + q.y()));
 }
 
-// Lengths of which some are multiples of others, and some far larger.
+// Lengths of which some are multiples of others, some nearly equal to others, and some far larger.
 template <class Check> void for_all_sizes(Check check)
 {
     for (const double x : {1, 2, 3, 4, 6, 9})
@@ -53,6 +53,28 @@ template <class Check> void for_all_sizes(Check check)
             a[axis] = std::ldexp(1, power);
             check(a);
         }
+    for (int power = -4; power >= -44; power -= 4)
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double other : {0, 1, -1}) {
+                Vector3d a(1, 1, 1);
+                a[axis] += std::ldexp(1, power);
+                a[(axis + 1) % 3] += other * std::ldexp(1, power);
+                check(a);
+            }
+}
+
+// The solid of a density from next to nothing to next to infinity has the same multiple of the mass
+// and the inertia.
+template <class Solid> void check_densities(Solid solid)
+{
+    const MassProperties one = solid(1.0);
+    for (const int power : {-400, -360, 360, 400}) {
+        CAPTURE(power);
+        const double density = std::ldexp(1, power);
+        const MassProperties found = solid(density);
+        REQUIRE_THAT(found.mass / density, IsClose(one.mass, Rounding(16)));
+        REQUIRE_THAT(Matrix3d(found.inertia / density), IsClose(one.inertia, Rounding(32)));
+    }
 }
 
 } // namespace
@@ -94,6 +116,31 @@ TEST_CASE("inertia: rods of all lengths", "[A2.10][inertia]")
         CAPTURE(line_density, l);
         check_solid(thin_rod(line_density, l), m, {across, 0, across});
     });
+}
+
+TEST_CASE("inertia: spheres of all densities", "[A2.6][inertia]")
+{
+    check_densities([](double density) { return solid_sphere(density, 2); });
+}
+
+TEST_CASE("inertia: boxes of all densities", "[A2.7][inertia]")
+{
+    check_densities([](double density) { return solid_box(density, {1, 2, 3}); });
+}
+
+TEST_CASE("inertia: cylinders of all densities", "[A2.8][inertia]")
+{
+    check_densities([](double density) { return solid_cylinder(density, 2, 3); });
+}
+
+TEST_CASE("inertia: ellipsoids of all densities", "[A2.9][inertia]")
+{
+    check_densities([](double density) { return solid_ellipsoid(density, {1, 2, 3}); });
+}
+
+TEST_CASE("inertia: rods of all densities", "[A2.10][inertia]")
+{
+    check_densities([](double density) { return thin_rod(density, 3); });
 }
 
 } // namespace inertia_proportions_test

@@ -31,7 +31,7 @@ struct Beads {
 
 TEST_CASE("kinematics: many particles have one generalized mass", "[A1.7][kinematics]")
 {
-    for (const int n : {0, wide - 1, wide, wide + 1, long_list}) {
+    for (const int n : lengths(0, long_list)) {
         CAPTURE(n);
         const Beads beads(n);
         const Matrix6d found = generalized_mass(beads.particles, {0, 0, 0});
@@ -43,7 +43,7 @@ TEST_CASE("kinematics: many particles have one generalized mass", "[A1.7][kinema
 
 TEST_CASE("kinematics: many forces add up", "[A1.8][kinematics]")
 {
-    for (const int n : {0, wide - 1, wide, wide + 1, long_list}) {
+    for (const int n : lengths(0, long_list)) {
         CAPTURE(n);
         std::vector<PointForce> forces;
         forces.reserve(n);
@@ -60,7 +60,7 @@ TEST_CASE("kinematics: many forces add up", "[A1.8][kinematics]")
 
 TEST_CASE("kinematics: many particles that turn pull inwards", "[A1.13][kinematics]")
 {
-    for (const int n : {0, wide - 1, wide, wide + 1, long_list}) {
+    for (const int n : lengths(0, long_list)) {
         CAPTURE(n);
         const Beads beads(n);
         const Wrench found =

@@ -19,7 +19,9 @@ inline std::vector<int> lengths(int least, int most)
     std::vector<int> result;
     for (int n = least; n <= 140; ++n)
         result.push_back(n);
-    for (const int size : {256, 512, 1000, 1024, 2048, 4096, 65536})
+    for (const int size :
+         {192, 200,  256,  300,  320,  384,  400,  500,  512,  600,  640,  700,   768,  800,
+          900, 1000, 1024, 1200, 1500, 2000, 2048, 3000, 4096, 5000, 8192, 10000, 65536})
         for (int n = size - 1; n <= size + 1; ++n)
             if (size <= most) result.push_back(n);
     if (long_list <= most) result.push_back(long_list);

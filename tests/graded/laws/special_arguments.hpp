@@ -83,6 +83,7 @@ template <class T> void make_special(T& value, const Quantity& q, Random& random
             value = 1;
     } else if constexpr (std::is_same_v<T, Vector3d>) {
         make_entries_special(value, may_vanish, random);
+        if (one_in(6, random)) value.setConstant(value[0]); // a cube, or a diagonal of the frame
         if (q.kind != Kind::unit) return;
         if (value.norm() < 0.1) value = Vector3d::Unit(random_index(random, 3));
         value.normalize();

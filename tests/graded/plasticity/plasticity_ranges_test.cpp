@@ -19,6 +19,19 @@ TEST_CASE("plasticity: a shear counts however small it is beside the pressure",
     }
 }
 
+TEST_CASE("plasticity: a shear strain counts however small it is beside the change of volume",
+          "[A6.6][plasticity]")
+{
+    for (int power = 0; power <= 13; ++power)
+        for (const double digits : {1.0, 3.0}) {
+            const double gamma = digits * std::pow(10.0, -power);
+            CAPTURE(gamma);
+            const Matrix3d strain = shear(gamma) - Matrix3d::Identity();
+            REQUIRE_THAT(von_mises_from_strain(strain, 2),
+                         IsClose(4 * std::sqrt(3) * gamma, Rounding(32, 4 * (gamma + 2))));
+        }
+}
+
 TEST_CASE("plasticity: a strain counts however small it is", "[A6.6][plasticity]")
 {
     for (Random random : seeds(10)) {
@@ -41,7 +54,8 @@ TEST_CASE("plasticity: soft and hard solids flow alike and keep their trace", "[
         const Matrix3d s = stress - stress.trace() / 3 * Matrix3d::Identity();
         const double mises = std::sqrt(1.5) * s.norm();
         for (int power = -12; power <= 12; ++power)
-            for (const double share : {0.0, 0.5}) { // no strength, and some
+            // no strength, next to none, and some
+            for (const double share : {0.0, 1e-14, 1e-12, 1e-10, 1e-8, 1e-5, 0.5}) {
                 const double G = std::pow(10.0, power);
                 CAPTURE(G, share);
                 const Matrix3d expected = strain + (1 - share) / (2 * G) * s;

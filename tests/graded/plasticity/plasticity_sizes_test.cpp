@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A6.5 to A6.8: strains of every size. The formulas of elasticity are linear, so no strain is too
-// small or too large for them; an elastic strain of steel is about 1e-3. All factors are powers of
-// two, which leave the digits of a number alone.
+// A6: stresses and strains of every size. The von Mises stress and the formulas of elasticity are
+// proportional to them, so none is too small or too large; an elastic strain of steel is about
+// 1e-3. All factors are powers of two, which leave the digits of a number alone.
 #include "formulas/plasticity.hpp"
 #include "plasticity_cases.hpp"
 #include "support/seeds.hpp"
 
 #include <limits>
+#include <vector>
 
 namespace plasticity_sizes_test {
 
@@ -34,7 +35,57 @@ double mises_of(const Matrix3d& sigma)
     return std::sqrt(1.5) * (sigma - sigma.trace() / 3 * Matrix3d::Identity()).norm();
 }
 
+// From 2^-330, about 1e-99, to 2^330.
+std::vector<double> sizes()
+{
+    std::vector<double> result;
+    for (int power = -330; power <= 330; power += 22)
+        result.push_back(std::ldexp(1, power));
+    return result;
+}
+
+template <class Mises> void check_sizes(Mises mises)
+{
+    for (Random random : seeds(5)) {
+        const Matrix3d stress = random_symmetric(random);
+        const double usual = mises(stress);
+        for (const double size : sizes()) {
+            CAPTURE(size);
+            REQUIRE_THAT(mises(Matrix3d(size * stress)),
+                         IsClose(size * usual, Rounding(64, size * stress.norm())));
+        }
+    }
+}
+
 } // namespace
+
+TEST_CASE("plasticity: a stress of any size has its deviator", "[A6.1][plasticity]")
+{
+    for (Random random : seeds(5)) {
+        const Matrix3d stress = random_symmetric(random), usual = deviator(stress);
+        for (const double size : sizes()) {
+            CAPTURE(size);
+            REQUIRE_THAT(deviator(size * stress),
+                         IsClose(Matrix3d(size * usual), Rounding(16, size * stress.norm())));
+        }
+    }
+}
+
+TEST_CASE("plasticity: principal stresses of any size", "[A6.2][plasticity]")
+{
+    check_sizes([](const Matrix3d& s) { return von_mises_principal(s(0, 0), s(1, 1), s(2, 2)); });
+}
+
+TEST_CASE("plasticity: a stress of any size has its von Mises stress by the norm",
+          "[A6.3][plasticity]")
+{
+    check_sizes(von_mises_frobenius);
+}
+
+TEST_CASE("plasticity: a stress of any size has its von Mises stress", "[A6.4][plasticity]")
+{
+    check_sizes(von_mises);
+}
 
 TEST_CASE("plasticity: a strain of any size has its stress", "[A6.5][plasticity]")
 {

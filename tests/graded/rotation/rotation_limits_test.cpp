@@ -48,7 +48,7 @@ TEST_CASE("rotation: columns that are nearly parallel still give a rotation", "[
     for (Random random : seeds(50)) {
         const Matrix3d axes = random.rotation();
         const Vector3d a = axes.col(0), t = axes.col(1);
-        for (const double angle : {1e-11, 1e-9, 1e-7, 1e-5, 1e-3}) {
+        for (const double angle : {1e-13, 1e-12, 1e-11, 1e-9, 1e-7, 1e-5, 1e-3}) {
             CAPTURE(angle);
             Matrix3d R;
             R << random.mass() * a, random.mass() * (a + angle * t), random.vector();

@@ -105,6 +105,12 @@ const Candidates<SpringForce>::Wrong special_springs = {
          if (x1 == x2 || r2 <= 0) return Vector3d(Vector3d::Zero());
          return Vector3d(k * (1 - L / std::sqrt(r2)) * (x2 - x1));
      }},
+    {"is off by a millionth at a million lengths from the origin",
+     [](const Vector3d& x1, const Vector3d& x2, double k, double L) {
+         const double lost = 4e-13 * k * (x1.norm() + x2.norm());
+         const Vector3d direction = (x2 - x1).stableNormalized();
+         return Vector3d(along_the_unit_vector(x1, x2, k, L) + lost * direction);
+     }},
     {"is wrong for a spring that is perpendicular to an axis",
      [](const Vector3d& x1, const Vector3d& x2, double k, double L) {
          const Vector3d d = x2 - x1;

@@ -92,6 +92,17 @@ const Candidates<Tangent>::Wrong special_tangents = {
          if (std::hypot(n.x() - n.y(), n.z()) < 1e-8) return Vector3d(1, -1, 0).normalized();
          return by_a_swap(n);
      }},
+    {"is wrong nearer than 1e-9 to an axis, but not on it",
+     [](const Vector3d& n) {
+         if (std::hypot(n.x(), n.y()) < 1e-9) return Vector3d(Vector3d::UnitX());
+         return by_the_farthest_axis(n);
+     }},
+    {"is wrong nearer than 1e-9 to a diagonal of all axes, but not on it",
+     [](const Vector3d& n) {
+         const Vector3d a = n.cwiseAbs(), t(n.y(), -n.x(), 0);
+         if (a.maxCoeff() - a.minCoeff() < 1e-9) return Vector3d(t.cwiseSign().normalized());
+         return by_a_swap(n);
+     }},
     {"is wrong where a component is nearly 0",
      [](Vector3d n) {
          for (double& component : n)

@@ -35,6 +35,8 @@ struct ContactsOneAtATime {
     bool sees_those_before = true;
     /// Each iteration ends after the first contact that approaches.
     bool stops_after_one = false;
+    /// An iteration in which no contact gets an impulse is the last one.
+    bool stops_if_quiet = false;
 
     ContactResult operator()(const Bodies& bodies, const Contacts& contacts, int n) const
     {
@@ -45,6 +47,7 @@ struct ContactsOneAtATime {
         for (int k = 0; k < n; ++k) {
             const double epsilon = restitution(k, n);
             const Bodies before = result.bodies;
+            bool is_quiet = true;
             for (int i : indices) {
                 const BodyContact& c = contacts[i];
                 const Vector3d v = velocity_of(sees_those_before ? result.bodies : before, c);
@@ -53,8 +56,10 @@ struct ContactsOneAtATime {
                 const Vector3d j = impulse(impulse_matrix_of(result.bodies, c), u, c, epsilon);
                 push(result.bodies, c, j);
                 result.impulses[i] = report(result.impulses[i], j);
+                is_quiet &= j.isZero(0);
                 if (stops_after_one) break;
             }
+            if (stops_if_quiet && is_quiet) break;
         }
         return result;
     }

@@ -63,6 +63,7 @@ inline Judgement judged(const CollisionRules& rules, const LineCollision& collid
 struct SpringRules {
     double farthest = 1e6;   // from the origin, in lengths of the spring
     bool tries_zeros = true; // k = 0 and L = 0
+    bool room_grows = false; // whether the allowed error grows with the distance from the origin
 };
 
 inline Judgement judged(const SpringRules& rules, const SpringForce& force)
@@ -80,7 +81,8 @@ inline Judgement judged(const SpringRules& rules, const SpringForce& force)
         const double away = std::pow(rules.farthest, drawn.uniform(0, 1));
         const Vector3d x1 = away * length * drawn.direction(), x2 = x1 + length * along;
         const Vector3d d = x2 - x1, expected = k * (d.norm() - L) * d.normalized();
-        if (!((force(x1, x2, k, L) - expected).norm() <= 1e-12 * k * (d.norm() + L)))
+        const double size = rules.room_grows ? x1.norm() + x2.norm() : 0;
+        if (!((force(x1, x2, k, L) - expected).norm() <= 1e-12 * k * (d.norm() + L + size)))
             return rejected();
     }
     const Vector3d x(1, 2, 3);
