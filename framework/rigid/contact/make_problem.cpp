@@ -113,7 +113,6 @@ void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, Contac
     constexpr double bend_tolerance = 0.1;
     // The time over which the rotation of each body counts. It is the time step if the body rolls.
     // Otherwise it is 0, because for example the corners of a box do hit the other body.
-    // 0. The corners of a box, for example, do hit the other body.
     const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
     const double h1 = rolls1 ? problem.time_step : 0, h2 = rolls2 ? problem.time_step : 0;
     const Vector3d turn1 = h1 * body1.angular_velocity, turn2 = h2 * body2.angular_velocity;

@@ -157,7 +157,15 @@ ContactProblem problem_at_impact(PairWorld& pair, double radius, double rest)
         else
             flown.push_back(fly(pair.world.settings, body, body.state, rest, pair.world.counters));
     }
-    return make_problem(pair.world, flown, near, rest, pair.world.pool);
+    ContactProblem problem = make_problem(pair.world, flown, near, rest, pair.world.pool);
+    // A driven body hits with its velocity at the impact, not with its mean over the rest.
+    for (std::size_t k = 0; k < 2; ++k)
+        if (const RigidBody& body = pair.world.bodies[k]; body.changes_place()) {
+            const DriveVelocity now = drive_velocity(*body.drive, pair.world.time);
+            problem.bodies[k].velocity = now.linear;
+            problem.bodies[k].angular_velocity = now.angular;
+        }
+    return problem;
 }
 
 // The contacts of the bounce with their impulses and with the body indices of the whole world. The

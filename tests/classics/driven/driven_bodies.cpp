@@ -219,37 +219,6 @@ TEST_CASE("classics: a table that is shaken rolls a ball along by two sevenths",
     }
 }
 
-// Timoshenko (1937, "Vibration problems in engineering"): a plank on two rollers that turn towards
-// each other, 2a apart, swings with μ g/(a - μ t/2) = ω², where t is its thickness.
-TEST_CASE("classics: a plank on two rollers swings by friction alone", "[classics]")
-{
-    const double a = 0.5, radius = 0.1, t = 0.02, x0 = 0.1;
-    const Quaternion lying = turn({1, 0, 0}, pi / 2);
-    for (const double mu : {0.1, 0.3}) {
-        CAPTURE(mu);
-        const Material material{0, mu};
-        const double w = std::sqrt(mu * g / (a - mu * t / 2)), T = 2 * pi / w;
-        std::vector<double> errors;
-        for (const int steps : {250, 500, 1000}) {
-            World world = solved(
-                {driven(Cylinder{radius, 1}, material, {-a, -radius, 0}, turning({0, 0, -30}),
-                        lying),
-                 driven(Cylinder{radius, 1}, material, {a, -radius, 0}, turning({0, 0, 30}), lying),
-                 body_of(Box{{3, t, 0.3}}, {x0, t / 2, 0}, material)});
-            double off = 0;
-            for (int i = 1; i <= steps; ++i) {
-                step(world, T / steps);
-                off = std::max(off, std::abs(world.bodies[2].state.position.x() -
-                                             x0 * std::cos(2 * pi * i / steps)));
-            }
-            errors.push_back(off);
-        }
-        CAPTURE(errors);
-        check_at_most(errors.back(), 0.02 * x0, "error of the place [m]");
-        CHECK(errors[2] < 0.65 * errors[0]);
-    }
-}
-
 // A table that waits, moves and waits again takes along what sleeps on it: with a at most μ g the
 // block is as fast as the table after v/(μ g), and slides as far after the stop. The times at
 // which these two slides begin are known only to one step.
@@ -320,6 +289,38 @@ TEST_CASE("classics: a spring with a driven end forces its body", "[classics]")
         CAPTURE(share, errors);
         check_order(errors, 4);
     }
+}
+
+// A ball that falls on a shaken plate: the plate has the height y(t), and the velocity of the ball
+// becomes y' + ε (y' - V) at the moment of the impact, whatever the step is.
+TEST_CASE("classics: a shaken plate hits with its velocity at the impact", "[classics]")
+{
+    const double r = 0.05, A = 0.02, f = 3, epsilon = 0.8, w = 2 * pi * f;
+    for (const double phase : {0., 1., 2.5, 4.})
+        for (const double H : {0.1, 0.35}) {
+            const auto plate = [&](double t) {
+                return A * (std::sin(w * t + phase) - std::sin(phase));
+            };
+            double low = 0, high = 1; // the time of the impact is between them
+            while (high - low > 1e-15) {
+                const double middle = (low + high) / 2;
+                (H - g * middle * middle / 2 > plate(middle) ? low : high) = middle;
+            }
+            const double hit = low, speed = A * w * std::cos(w * hit + phase),
+                         V = speed + epsilon * (speed + g * hit);
+            const double T = hit + 0.05, t = T - hit;
+            for (const int steps : {20, 33, 80}) {
+                CAPTURE(phase, H, steps);
+                const Material material{epsilon, 0};
+                World world = solved({driven(table, material, under, shaking({0, A, 0}, f, phase)),
+                                      body_of(Sphere{r}, {0, r + H, 0}, material)});
+                run(world, steps, T / steps);
+                const RigidState& ball = world.bodies[1].state;
+                CHECK_THAT(ball.velocity.y(), IsClose(V - g * t, Order(1e-9)));
+                CHECK_THAT(ball.position.y(),
+                           IsClose(r + plate(hit) + V * t - g * t * t / 2, Order(1e-9)));
+            }
+        }
 }
 
 } // namespace driven_bodies

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A plank on two rollers that turn against each other (Timoshenko and Young 1948, "Advanced
-// Dynamics"): the roller that bears more weight pushes the plank harder. If the tops of the rollers
-// move towards each other, the plank swings; if they move apart, it runs away.
+// A plank on two rollers that turn against each other (Timoshenko 1937, "Vibration problems in
+// engineering"): the roller that bears more weight pushes the plank harder. If the tops of the
+// rollers move towards each other, the plank swings; if they move apart, it runs away.
 //
 // The rollers are at ±d, and c is half of the plank's thickness. The loads N₁ and N₂ balance weight
 // and friction, F = ±μ (N₁ - N₂), about the center of mass:
