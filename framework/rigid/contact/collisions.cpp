@@ -6,9 +6,11 @@
 #include "rigid/contact/collisions.hpp"
 
 #include "formulas/collision.hpp"
+#include "geometry/convex/extreme_points.hpp"
 #include "rigid/bodies/inlined_product.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace rigor {
@@ -109,6 +111,20 @@ Vector3d without_energy_gain(const Matrix3d& K, const Vector3d& v, const Vector3
     return std::max(0.0, -work / stored) * j;
 }
 
+// Leaves only the corners of the convex hull of the points. Other points, such as those of a mesh
+// with vertices on an edge, would move the mean of the points away from the middle.
+void keep_corners(std::vector<Vector3d>& points, std::vector<int>& contacts, const Vector3d& n)
+{
+    if (points.size() < 3) return;
+    std::size_t kept = 0;
+    for (const int i : extreme_points(points, n)) { // ascending
+        points[kept] = points[i];
+        contacts[kept++] = contacts[i];
+    }
+    points.resize(kept);
+    contacts.resize(kept);
+}
+
 // Lets the pair bounce once: one impulse acts at the mean of the deepest approaching point and the
 // points that are about as deep (`equally_deep`).
 // @return whether the pair bounced
@@ -119,7 +135,7 @@ bool bounce(ContactProblem& problem, const Candidates& candidates)
     const ContactPoint& chosen = candidates.points[checked(*deepest, candidates.points.size())];
 
     std::vector<int> together;
-    Vector3d x = Vector3d::Zero();
+    std::vector<Vector3d> points;
     for (std::size_t k = 0; k < candidates.points.size(); ++k) {
         const ContactPoint& p = candidates.points[k];
         const bool is_alike =
@@ -127,12 +143,14 @@ bool bounce(ContactProblem& problem, const Candidates& candidates)
             p.normal.dot(chosen.normal) > 1 - same_normal && p.relative_velocity.dot(p.normal) < 0;
         if (!is_alike && &p != &chosen) continue;
         together.push_back(candidates.contacts[k]);
-        x += p.point;
+        points.push_back(p.point);
     }
+    keep_corners(points, together, chosen.normal);
+    const Vector3d sum = std::accumulate(points.begin(), points.end(), Vector3d(Vector3d::Zero()));
     const double count = static_cast<double>(together.size());
     const ContactConstraint& c = problem.contacts[together.front()];
     const bool is_alone = together.size() == 1;
-    if (!is_alone) x /= count;
+    const Vector3d x = is_alone ? points.front() : Vector3d(sum / count);
     const Matrix3d K = is_alone ? c.K : problem.impulse_matrix_at(c, x);
     const Vector3d v = is_alone ? chosen.relative_velocity : problem.velocity_at(c, x);
     Vector3d j = collision_impulse(K, v, chosen.normal, c.restitution, c.friction);

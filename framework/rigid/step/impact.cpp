@@ -114,8 +114,21 @@ void fly_past(const World& world, const ContactConstraint& c, double time_step,
             states[i] = fly(world.settings, body, body.state, time_step, uncounted);
 }
 
+// A bound of the speed of the points of a body within `radius` of x [m/s].
+double fastest_near(const World& world, const RigidBody& body, const Vector3d& x, double radius)
+{
+    const double arm = (x - body.state.position).norm() + radius;
+    if (body.changes_place()) {
+        const DriveVelocity now = drive_velocity(*body.drive, world.time);
+        return now.linear.norm() + now.angular.norm() * arm;
+    }
+    if (body.is_static) return 0;
+    const Vector3d w = angular_velocity(world.settings.integrator, body, body.state);
+    return body.state.velocity.norm() + w.norm() * arm;
+}
+
 // The two bodies of the contact c at the time when their gap closes, by the secant method from the
-// predicted time.
+// predicted time, with the contacts that may close in one step.
 // @return nothing if the iteration does not converge
 std::optional<PairWorld> pair_at_impact(const World& world, const ContactConstraint& c,
                                         const Approach& approach, double time_step)
@@ -133,7 +146,12 @@ std::optional<PairWorld> pair_at_impact(const World& world, const ContactConstra
         pair = pair_at(world, c, time, reach);
     }
     if (std::abs(pair.gap) > nearly_touching_gap * c.radius) return std::nullopt;
-    return pair;
+    // With a larger reach, the few contacts that a pair keeps are spread over the whole bodies, and
+    // only one end of an edge that hits may be left.
+    double near = 2 * nearly_touching_gap * c.radius;
+    for (const RigidBody& body : pair.world.bodies)
+        near += time_step * fastest_near(pair.world, body, c.point, c.radius);
+    return near < reach ? pair_at(world, c, time, near) : pair;
 }
 
 // The contact problem at the impact, for the rest of the step (`rest`: its length [s]). All

@@ -252,7 +252,7 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
         if (!body.is_static()) body.angular_velocity = body.inverse_inertia * body.angular_momentum;
         return body;
     };
-    bool any_shift = false, any_turning_drive = false, all_slide = true;
+    bool any_shift = false, any_turning_drive = false, all_slide = true, all_stay = true;
     for (auto begin = held.begin(), end = begin; begin != held.end(); begin = end) {
         const std::pair<int, int> pair = bodies_of(*begin);
         end = std::find_if(begin, held.end(),
@@ -271,17 +271,19 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
                 std::max(std::abs(contact.v_middle.dot(n) - contact.v_start.dot(c.normal)),
                          std::abs(v_last_middle.dot(n) - v_last.dot(c.normal)));
             middle.has_curve |= contact.change > contact.negligible;
-            any_shift |= slip(contact.v_start, c.normal).norm() > contact.negligible &&
-                         moves_along_a_body(c, contact.middle, world, poses, middle.bodies);
+            any_shift |= moves_along_a_body(c, contact.middle, world, poses, middle.bodies);
             any_turning_drive |= touches_a_turning_drive(world, c);
-            all_slide &= slides(c);
+            all_slide &= slides(c) && slip(contact.v_start, c.normal).norm() > contact.negligible;
+            all_stay &= std::max(std::abs(contact.v_start.dot(c.normal)),
+                                 std::abs(v_last.dot(c.normal))) <= contact.negligible;
         }
     }
+    if (!any_turning_drive && !middle.has_curve) return std::nullopt;
+    if (!any_turning_drive) return middle;
     // In the contact stage, bodies stick to the velocity that the surface of a turning body has at
     // the end of the step. So the slip of such a contact at the start is no error of the last step.
-    if (any_turning_drive && (middle.has_curve || !all_slide)) return std::nullopt;
-    // A single contact carries the whole load wherever it is.
-    if (!middle.has_curve && !(any_shift && held.size() > 1)) return std::nullopt;
+    const bool loads_change = any_shift && all_slide && all_stay && held.size() > 1;
+    if (middle.has_curve || !loads_change) return std::nullopt;
     return middle;
 }
 

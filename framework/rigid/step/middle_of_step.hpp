@@ -30,18 +30,20 @@ struct HeldContact {
 struct MiddleOfStep {
     std::vector<HeldContact> contacts;
     std::map<int, Body> bodies;
-    // Whether a contact moves along a curve. Otherwise the loads of contacts that slide change,
-    // because the contacts move along a body, as below a plank that slides over two rollers.
+    // Whether a contact moves along a curve. Otherwise, contacts with driven bodies that turn slide
+    // along a body, and their loads change, as below a plank on two rollers.
     bool has_curve = false;
 };
 
-/// Computes the middle of the step for an island whose contacts with an impulse move along a curve,
-/// or slide along a body whose weight they share. These islands are left out: large ones (more than
-/// `few_bodies` bodies or 32 contacts), those that touch no static body, those that have or touch a
-/// mesh, and those that touch a belt or a driven body, unless this body moves along a line or turns
-/// about a fixed axis, at a constant velocity. On a body that turns, all contacts must slide, and
-/// none may move along a curve. With the contact methods `one_at_a_time` and `shock_propagation`,
-/// all islands are left out.
+/// Computes the middle of the step for an island whose contacts with an impulse move along a curve.
+/// These islands are left out: large ones (more than `few_bodies` bodies or 32 contacts), those
+/// that touch no static body, those that have or touch a mesh, and those that touch a belt or a
+/// driven body, unless this body moves along a line at a constant velocity. With the contact
+/// methods `one_at_a_time` and `shock_propagation`, all islands are left out.
+///
+/// Also computes it for an island that slides over driven bodies that turn about fixed axes at
+/// constant velocities, if the contacts move along a body of the island, because its loads on them
+/// change then. All contacts have to slide, stay closed, and move along straight lines.
 ///
 /// @param first    the bodies after the collision stage, before the forces
 /// @param problem  after the contact stage

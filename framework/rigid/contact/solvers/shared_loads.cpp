@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Shares the load of a body evenly among its supports. The normal impulses of the contacts that
-// carry load are fitted by a linear function of the position, by the method of least squares. The
-// residual of such a fit has no sum and no moment, so it can be removed without any effect on the
-// body's motion.
+// Shares the load of a body evenly among its supports. The normal impulses of the contacts are
+// fitted by a linear function of the position, by the method of least squares. The residual of such
+// a fit has no sum and no moment, so it can be removed without any effect on the body's motion.
 #include "rigid/contact/solvers/shared_loads.hpp"
 
 #include <Eigen/QR>
 
-#include <algorithm>
 #include <limits>
 
 namespace rigor {
@@ -28,16 +26,21 @@ Vector3d normal_to(const ContactConstraint& c, int moving)
     return c.body1 == moving ? c.normal : Vector3d(-c.normal);
 }
 
-bool is_on_parallel_supports(const ContactProblem& problem, const Island& island,
-                             std::span<const int> active)
+bool is_on_turning_supports(const ContactProblem& problem, const Island& island,
+                            std::span<const int> active)
 {
     if (island.bodies.size() != 1 || island.pairs.size() < 2 || active.size() < fewest_contacts)
         return false;
-    const int moving = island.bodies.front();
-    const Vector3d n = normal_to(problem.contacts[active.front()], moving);
-    return std::all_of(active.begin(), active.end(), [&](int i) {
-        return (normal_to(problem.contacts[i], moving) - n).norm() <= parallel;
-    });
+    const int body = island.bodies.front();
+    const Vector3d n = normal_to(problem.contacts[active.front()], body);
+    bool any_turns = false;
+    for (int i : active) {
+        const ContactConstraint& c = problem.contacts[i];
+        if ((normal_to(c, body) - n).norm() > parallel) return false;
+        const Body& support = problem.bodies[c.body1 == body ? c.body2 : c.body1];
+        any_turns |= !support.angular_velocity.isZero(0);
+    }
+    return any_turns;
 }
 
 class SharedLoads : public Sweeps {
@@ -49,10 +52,11 @@ public:
     {
         const Body& body = problem.bodies[island.bodies.front()];
         const Vector3d u = n_.unitOrthogonal(), w = n_.cross(u);
-        for (int i : active) {
-            const ContactConstraint& c = problem.contacts[i];
-            const Vector3d r = c.point - body.position;
-            places_.emplace_back(1, r.dot(u) / c.radius, r.dot(w) / c.radius);
+        places_.resize(static_cast<Eigen::Index>(active.size()), 3);
+        for (std::size_t k = 0; k < active.size(); ++k) {
+            const ContactConstraint& c = problem.contacts[active[k]];
+            const Vector3d r = (c.point - body.position) / c.radius;
+            places_.row(k) << 1, r.dot(u), r.dot(w);
             signs_.push_back(c.body1 == island.bodies.front() ? 1 : -1);
         }
     }
@@ -67,40 +71,30 @@ public:
     void finish() override { sweeps_->finish(); }
 
 private:
-    // Replaces the normal impulses of the contacts that carry load by their linear fit, unless a
-    // contact would then pull.
+    // Replaces the normal impulses by their linear fit if all contacts carry load, and if none
+    // would pull then. (Where some carry no load, the sweeps still search for those that do.)
     void share()
     {
         const std::vector<Vector3d> j = sweeps_->impulses();
-        std::vector<std::size_t> loaded;
+        Eigen::VectorXd loads(places_.rows());
         for (std::size_t k = 0; k < j.size(); ++k)
-            if (load(j, k) > 0) loaded.push_back(k);
-        if (loaded.size() < fewest_contacts) return;
-        Eigen::MatrixX3d places(loaded.size(), 3);
-        Eigen::VectorXd loads(loaded.size());
-        for (std::size_t i = 0; i < loaded.size(); ++i) {
-            places.row(i) = places_[loaded[i]];
-            loads[i] = load(j, loaded[i]);
-        }
+            loads[k] = signs_[k] * j[k].dot(n_);
+        if (loads.minCoeff() <= 0) return;
         const Eigen::VectorXd shared =
-            places * places.completeOrthogonalDecomposition().solve(loads);
-        const double change = (shared - loads).cwiseAbs().maxCoeff();
-        if (shared.minCoeff() < 0 || change <= rounding * loads.maxCoeff()) return;
-        std::vector<Vector3d> changes(j.size(), Vector3d::Zero());
-        for (std::size_t i = 0; i < loaded.size(); ++i)
-            changes[loaded[i]] = signs_[loaded[i]] * (shared[i] - loads[i]) * n_;
+            places_ * places_.completeOrthogonalDecomposition().solve(loads);
+        const Eigen::VectorXd change = shared - loads;
+        if (shared.minCoeff() < 0 || change.cwiseAbs().maxCoeff() <= rounding * loads.maxCoeff())
+            return;
+        std::vector<Vector3d> changes;
+        for (std::size_t k = 0; k < j.size(); ++k)
+            changes.push_back(signs_[k] * change[k] * n_);
         sweeps_->add(changes);
     }
 
-    double load(const std::vector<Vector3d>& j, std::size_t k) const
-    {
-        return signs_[k] * j[k].dot(n_);
-    }
-
     std::unique_ptr<Sweeps> sweeps_;
-    Vector3d n_;                             // the normal, pointing to the body
-    std::vector<Eigen::RowVector3d> places_; // 1 and the coordinates of each contact
-    std::vector<double> signs_;              // 1 if the body is body 1 of the contact, else -1
+    Vector3d n_;                // the normal, pointing to the body
+    Eigen::MatrixX3d places_;   // a row for each contact: 1 and its coordinates across the normal
+    std::vector<double> signs_; // 1 if the body is body 1 of the contact, else -1
 };
 
 } // namespace
@@ -109,7 +103,7 @@ std::unique_ptr<Sweeps> with_shared_loads(const ContactProblem& problem, const I
                                           std::span<const int> active,
                                           std::unique_ptr<Sweeps> sweeps)
 {
-    if (!is_on_parallel_supports(problem, island, active)) return sweeps;
+    if (!is_on_turning_supports(problem, island, active)) return sweeps;
     return std::make_unique<SharedLoads>(problem, island, active, std::move(sweeps));
 }
 

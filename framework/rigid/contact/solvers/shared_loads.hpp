@@ -7,20 +7,20 @@
 
 namespace rigor {
 
-/// Sweeps that also share the load of a body evenly among the static and driven bodies that it lies
-/// on.
+/// Sweeps that also share the load of a body evenly among the driven bodies that it lies on, if
+/// these turn.
 ///
 /// The law of contact does not determine the loads of a body that lies on more than three points:
 /// a table has four legs, but its balance gives three equations. Plain sweeps find loads that
 /// depend on the order of the contacts. These loads all give the same motion where all contacts
 /// slide in the same direction. But where the supports move in different directions, as two rollers
-/// do, an uneven load turns the body. So before each sweep, the normal impulses jₙ of the contacts
-/// that carry load are replaced by those that equally stiff springs would give them. They have the
-/// same sum and the same moments, and are linear functions of the position in the plane of the
-/// supports. Of all loads with this sum and these moments, they have the least Σ jₙ².
+/// do, an uneven load turns the body. So before each sweep, if all contacts carry load, their
+/// normal impulses jₙ are replaced by those that equally stiff springs would give them. They have
+/// the same sum and the same moments, and are linear functions of the position in the plane of the
+/// supports. No other loads with this sum and these moments have a smaller Σ jₙ².
 ///
 /// @return `sweeps` itself, unless the island is a single body on at least two static or driven
-///         bodies, whose contacts have parallel normals
+///         bodies, of which one turns, and the normals of the contacts are parallel
 std::unique_ptr<Sweeps> with_shared_loads(const ContactProblem& problem, const Island& island,
                                           std::span<const int> active,
                                           std::unique_ptr<Sweeps> sweeps);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The loads of a body that lies on several static bodies. The expected loads are those of equally
-// stiff springs below a rigid body, from the three equations of balance.
+// The loads of a body that lies on several driven bodies that turn. The expected loads are those of
+// equally stiff springs below a rigid body, from the three equations of balance.
 #include "framework/rigid/worlds.hpp"
 #include "support/catch.hpp"
 #include "support/seeds.hpp"
@@ -33,12 +33,24 @@ std::vector<double> loads_of_springs(const std::vector<Vector3d>& places, const 
     return loads;
 }
 
+// A ball that turns about the vertical, so that it does not drag what lies on its top.
+RigidBody turning_ball(const Vector3d& X, double friction)
+{
+    Drive drive;
+    drive.first_position = X;
+    drive.angular_velocity = {0, 3, 0};
+    RigidBody ball = fixed(Sphere{radius}, {0, friction}, X);
+    ball.drive = std::make_shared<const Drive>(drive);
+    ball.state = driven_state(drive, 0);
+    return ball;
+}
+
 // A board on balls at these places, in this order of the world's bodies.
 World board_on(const std::vector<Vector3d>& places, const Vector3d& center, double friction)
 {
     std::vector<RigidBody> bodies;
     for (const Vector3d& x : places)
-        bodies.push_back(fixed(Sphere{radius}, {0, friction}, x));
+        bodies.push_back(turning_ball(x, friction));
     RigidBody board =
         body_of(Box{{4, 0.1, 4}}, center + Vector3d(0, radius + 0.05, 0), {0, friction});
     set_mass(board, mass, board.inertia * (mass / board.mass));
