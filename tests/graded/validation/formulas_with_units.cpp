@@ -222,14 +222,14 @@ const Formulas& wrong_thresholds()
          [](N a) {
              return N{a[0] * a[1], a[2]};
          }},
-        {"takes a number for zero that is almost 2^40 times as small as the example",
-         [](N a) { return N{a[1] < 2.6e-12 ? 0 : a[0] * a[1]}; },
+        {"takes a number for zero that is 2^38 times as small as the example",
+         [](N a) { return N{a[1] < 8e-12 ? 0 : a[0] * a[1]}; },
          {2, 2},
          {acceleration, time},
          {speed},
          [](N a) { return N{a[0] * a[1]}; }},
-        {"has a limit that is almost 2^40 times as large as the example",
-         [](N a) { return N{a[0] * std::min(a[1], 1.5e12)}; },
+        {"has a limit that is 2^38 times as large as the example",
+         [](N a) { return N{a[0] * std::min(a[1], 1e12)}; },
          {3, 2},
          {speed, mass},
          {momentum},

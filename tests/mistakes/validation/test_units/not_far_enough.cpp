@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Changes the units by factors up to 2^39, and not up to 2^40.
+// Changes the units by factors up to 2^32, and not up to 2^40.
 #include "mistakes/validation/right_tests.hpp"
 
 namespace rigor {
@@ -8,7 +8,7 @@ Judgement test_units(const UnknownFormula& formula, const std::vector<double>& e
                      const std::vector<Dimension>& arguments, const std::vector<Dimension>& result)
 {
     right_tests::UnitRules rules;
-    rules.largest_power = 39;
+    rules.largest_power = 32;
     return right_tests::judged(rules, formula, example, arguments, result);
 }
 
