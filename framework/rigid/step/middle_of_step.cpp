@@ -278,13 +278,13 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
                                  std::abs(v_last.dot(c.normal))) <= contact.negligible;
         }
     }
-    if (!any_turning_drive && !middle.has_curve) return std::nullopt;
-    if (!any_turning_drive) return middle;
     // In the contact stage, bodies stick to the velocity that the surface of a turning body has at
-    // the end of the step. So the slip of such a contact at the start is no error of the last step.
+    // the end of the step. So the slip of a contact that sticks to such a body is no error of the
+    // last step.
     const bool loads_change = any_shift && all_slide && all_stay && held.size() > 1;
-    if (middle.has_curve || !loads_change) return std::nullopt;
-    return middle;
+    const bool is_solved_again =
+        any_turning_drive ? loads_change && !middle.has_curve : middle.has_curve;
+    return is_solved_again ? std::optional(middle) : std::nullopt;
 }
 
 } // namespace rigor

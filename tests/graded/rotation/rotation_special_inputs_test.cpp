@@ -117,67 +117,70 @@ TEST_CASE("rotation: Euler rates of angles beyond a whole turn", "[A3.4][rotatio
 
 namespace {
 
-// A step of a body whose moments are all equal, differ by little, or by much.
-StepCase step_of_round_body(Random& random, double difference, double speed)
+// A step of a body that is round about an axis: its moments are all equal, or that about this axis
+// differs by little or by much.
+StepCase step_of_round_body(Random& random, int axis, double difference, double speed)
 {
     StepCase c = random_step(random);
-    const Vector3d moments = random.mass() * Vector3d(1, 1, 1 + difference);
+    const Vector3d moments = random.mass() * (Vector3d::Ones() + difference * Vector3d::Unit(axis));
     c.body.inverse_inertia = moments.cwiseInverse().asDiagonal();
     const Vector3d w = speed * random.unit_vector();
     c.state.angular_momentum = world_inverse(c.body, c.state.orientation).inverse() * w;
     return c;
 }
 
-constexpr double differences[] = {0, 1e-6, 1e-3, 0.5};
-constexpr double speeds[] = {1, 60, 300}; // [rad/s], up to 30 rad in a step
+template <class Check> void for_round_bodies(Check check)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double difference : {0., 1e-6, 1e-3, 0.5})
+            for (const double speed : {1., 60., 300.}) // [rad/s], up to 30 rad in a step
+                check(axis, difference, speed);
+}
 
 } // namespace
 
 TEST_CASE("rotation: symplectic Euler turns round and fast bodies", "[A3.15][rotation]")
 {
     for (Random random : seeds(5))
-        for (const double difference : differences)
-            for (const double speed : speeds) {
-                CAPTURE(difference, speed);
-                StepCase c = step_of_round_body(random, difference, speed);
-                const double h = c.time_step;
-                const Vector3d L = c.state.angular_momentum + h * c.wrench.torque;
-                std::vector<Quaternion> orientations = starts(random);
-                orientations.push_back(c.state.orientation);
-                for (const Quaternion& q : orientations) {
-                    c.state.orientation = q;
-                    const Vector3d w = world_inverse(c.body, q) * L;
-                    const Eigen::Quaterniond sum = eigen({1, h / 2 * w}) * eigen(q);
-                    const RigidState next = step_symplectic_euler(c.state, c.body, c.wrench, h);
-                    REQUIRE_THAT(next.orientation,
-                                 IsClose(plain(Eigen::Quaterniond(sum.coeffs() / sum.norm())),
-                                         Rounding(256, 1 + h * w.norm())));
-                }
+        for_round_bodies([&](int axis, double difference, double speed) {
+            CAPTURE(axis, difference, speed);
+            StepCase c = step_of_round_body(random, axis, difference, speed);
+            const double h = c.time_step;
+            const Vector3d L = c.state.angular_momentum + h * c.wrench.torque;
+            std::vector<Quaternion> orientations = starts(random);
+            orientations.push_back(c.state.orientation);
+            for (const Quaternion& q : orientations) {
+                c.state.orientation = q;
+                const Vector3d w = world_inverse(c.body, q) * L;
+                const Eigen::Quaterniond sum = eigen({1, h / 2 * w}) * eigen(q);
+                const RigidState next = step_symplectic_euler(c.state, c.body, c.wrench, h);
+                REQUIRE_THAT(next.orientation,
+                             IsClose(plain(Eigen::Quaterniond(sum.coeffs() / sum.norm())),
+                                     Rounding(256, 1 + h * w.norm())));
             }
+        });
 }
 
 TEST_CASE("rotation: Buss's step turns round and fast bodies", "[A3.16][rotation]")
 {
     for (Random random : seeds(5))
-        for (const double difference : differences)
-            for (const double speed : speeds) {
-                CAPTURE(difference, speed);
-                const StepCase c = step_of_round_body(random, difference, speed);
-                const double h = c.time_step;
-                const Matrix3d I_inv = world_inverse(c.body, c.state.orientation);
-                const Vector3d& L = c.state.angular_momentum;
-                const Vector3d w = I_inv * L, w_dot = I_inv * (c.wrench.torque - w.cross(L));
-                const Vector3d by = h * (w + h / 2 * w_dot + h * h / 12 * w_dot.cross(w));
-                const double half = by.norm() / 2;
-                const Quaternion turned{std::cos(half), std::sin(half) * by.normalized()};
-                // the terms of ω × L cancel where the moments are nearly equal
-                const double scale =
-                    1 + h * w.norm() +
-                    h * h * (I_inv.norm() * w.norm() * L.norm()) * (1 + h * w.norm());
-                REQUIRE_THAT(step_buss(c.state, c.body, c.wrench, h).orientation,
-                             IsClose(plain(eigen(turned) * eigen(c.state.orientation)),
-                                     Rounding(256, scale)));
-            }
+        for_round_bodies([&](int axis, double difference, double speed) {
+            CAPTURE(axis, difference, speed);
+            const StepCase c = step_of_round_body(random, axis, difference, speed);
+            const double h = c.time_step;
+            const Matrix3d I_inv = world_inverse(c.body, c.state.orientation);
+            const Vector3d& L = c.state.angular_momentum;
+            const Vector3d w = I_inv * L, w_dot = I_inv * (c.wrench.torque - w.cross(L));
+            const Vector3d by = h * (w + h / 2 * w_dot + h * h / 12 * w_dot.cross(w));
+            const double half = by.norm() / 2;
+            const Quaternion turned{std::cos(half), std::sin(half) * by.normalized()};
+            // the terms of ω × L cancel where the moments are nearly equal
+            const double scale = 1 + h * w.norm() +
+                                 h * h * (I_inv.norm() * w.norm() * L.norm()) * (1 + h * w.norm());
+            REQUIRE_THAT(
+                step_buss(c.state, c.body, c.wrench, h).orientation,
+                IsClose(plain(eigen(turned) * eigen(c.state.orientation)), Rounding(256, scale)));
+        });
 }
 
 namespace {
