@@ -72,9 +72,9 @@ Run honest()
 
 /// A run where the reference answers all formulas except those in `own`.
 Run followed(const std::string& worker_file, const std::vector<FormulaIndex>& own,
-             const Scene& scene = ball())
+             const Scene& scene = ball(), const Limits& limits = tight())
 {
-    use_worker(worker_file, solved, tight());
+    use_worker(worker_file, solved, limits);
     FormulaSet others = FormulaSet().set();
     for (const FormulaIndex formula : own)
         others.reset(static_cast<unsigned>(formula));
@@ -199,7 +199,9 @@ TEST_CASE("scene answers: more may be given than the memory for it holds")
     use_worker(solved, {}, tight());
     const Run right = run(
         [&](const ByteSink& sink) { run_scene_with_worker(long_flight, Record::frames, sink); });
-    const Run mixed = followed(solved, {FormulaIndex::gravity_wrench}, long_flight);
+    Limits patient = tight(); // the scene takes far longer with sanitizers
+    patient.call *= sanitizer_factor;
+    const Run mixed = followed(solved, {FormulaIndex::gravity_wrench}, long_flight, patient);
     CAPTURE(mixed.what());
     REQUIRE(mixed.complete);
     REQUIRE(mixed.frames.back() == right.frames.back());

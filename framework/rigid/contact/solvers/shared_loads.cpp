@@ -37,6 +37,7 @@ bool is_on_turning_supports(const ContactProblem& problem, const Island& island,
     for (int i : active) {
         const ContactConstraint& c = problem.contacts[i];
         if ((normal_to(c, body) - n).norm() > parallel) return false;
+        if (c.gap > nearly_touching_gap * c.radius) return false; // it may stay without a load
         const Body& support = problem.bodies[c.body1 == body ? c.body2 : c.body1];
         any_turns |= !support.angular_velocity.isZero(0);
     }
@@ -71,15 +72,14 @@ public:
     void finish() override { sweeps_->finish(); }
 
 private:
-    // Replaces the normal impulses by their linear fit if all contacts carry load, and if none
-    // would pull then. (Where some carry no load, the sweeps still search for those that do.)
+    // Replaces the normal impulses by their linear fit, unless a contact would pull then.
     void share()
     {
         const std::vector<Vector3d> j = sweeps_->impulses();
         Eigen::VectorXd loads(places_.rows());
         for (std::size_t k = 0; k < j.size(); ++k)
             loads[k] = signs_[k] * j[k].dot(n_);
-        if (loads.minCoeff() <= 0) return;
+        if (!(loads.maxCoeff() > 0)) return;
         const Eigen::VectorXd shared =
             places_ * places_.completeOrthogonalDecomposition().solve(loads);
         const Eigen::VectorXd change = shared - loads;

@@ -14,13 +14,13 @@ namespace rigor {
 /// a table has four legs, but its balance gives three equations. Plain sweeps find loads that
 /// depend on the order of the contacts. These loads all give the same motion where all contacts
 /// slide in the same direction. But where the supports move in different directions, as two rollers
-/// do, an uneven load turns the body. So before each sweep, if all contacts carry load, their
-/// normal impulses jₙ are replaced by those that equally stiff springs would give them. They have
-/// the same sum and the same moments, and are linear functions of the position in the plane of the
+/// do, an uneven load turns the body. So before each sweep the normal impulses jₙ are replaced by
+/// those that equally stiff springs would give them, unless one of these would pull. They have the
+/// same sum and the same moments, and are linear functions of the position in the plane of the
 /// supports. No other loads with this sum and these moments have a smaller Σ jₙ².
 ///
 /// @return `sweeps` itself, unless the island is a single body on at least two static or driven
-///         bodies, of which one turns, and the normals of the contacts are parallel
+///         bodies, of which one turns, and its contacts are closed and have parallel normals
 std::unique_ptr<Sweeps> with_shared_loads(const ContactProblem& problem, const Island& island,
                                           std::span<const int> active,
                                           std::unique_ptr<Sweeps> sweeps);

@@ -76,7 +76,7 @@ std::vector<double> loads_of(World& world, std::size_t balls)
 TEST_CASE("rigid: a board shares its weight as equal springs do", "[rigid]")
 {
     int compared = 0;
-    for (Random random : seeds(200)) {
+    for (Random random : seeds(1000)) {
         const int n = 3 + random_index(random, 6);
         std::vector<Vector3d> places;
         for (int i = 0; i < n; ++i)
