@@ -34,7 +34,7 @@ public:
     Film(const std::string& folder, const Scene& scene, const DrawOptions& options);
     ~Film();
 
-    /// Sets the scene and its bodies, which `add` draws. So it has to be called before `add`.
+    /// Sets the scene and its bodies, which `add` draws. Call this function before `add`.
     void start(const Scene& scene, const std::vector<RecordedBody>& bodies);
     void add(const Frame& frame);
     /// Adds a frame, with the frame of another run drawn translucent (as a ghost) in the same

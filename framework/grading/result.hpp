@@ -100,7 +100,7 @@ Result ungraded(const Assignment& assignment, const std::vector<std::string>& ta
 
 /// The result of a task from its test cases. If there are none, or if the worst outcome is
 /// `skipped`, the task has 0 of 0 points. Otherwise it gets all of its points if each test case
-/// passed, and else the points of each part whose law held.
+/// passed, or else the points of each part whose law held.
 TaskResult score_task(const Task& task, std::vector<TestCase> tests);
 
 /// Removes from the result what its task does not disclose. Nothing can be judged again afterwards.

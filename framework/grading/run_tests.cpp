@@ -141,7 +141,7 @@ std::string fault_of(const Ended& ended, const Verdicts& verdicts,
     return "";
 }
 
-// Runs the test cases of these tags. If the answers of a submission make our engine compute without
+// Runs the test cases of these tags. If the answers of a submission make the engine compute without
 // end in a test case, the test program sends the verdict on this test case and ends itself. Then a
 // new test program runs the test cases that are left.
 // @param spent    the time budget that an earlier run has used, see Verdicts::spent

@@ -23,7 +23,7 @@ inline constexpr bool is_sanitized = false;
 /// a scene by a sanitizer.
 inline constexpr double sanitizer_factor = is_sanitized ? 20 : 1;
 
-/// Whose formulas a worker runs. This decides which walls the sandbox puts around the worker.
+/// Whose formulas a worker runs. This decides which walls (parts of the sandbox) are around it.
 enum class Trust {
     // The reference, or code that its own author runs: limits on resources only.
     ours,

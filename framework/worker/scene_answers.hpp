@@ -29,8 +29,8 @@ public:
     /// @param given       the formulas whose answers the worker gets by `give`
     SceneAnswers(Worker& worker, const std::string& scene_name, Bytes payload, bool every_step,
                  const FormulaSet& given = {});
-    /// Ends the worker's process, unless the worker has come to the end of the scene like the
-    /// client's engine.
+    /// Ends the worker's process, unless both the worker and the client's engine have come to the
+    /// end of the scene.
     ~SceneAnswers();
     SceneAnswers(const SceneAnswers&) = delete;
     SceneAnswers& operator=(const SceneAnswers&) = delete;

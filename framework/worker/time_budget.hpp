@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Limits the time of all requests of one submission together. A formula is given up if it did not
-// return in time twice, if its calls without an answer took too long together, or if it is far
-// slower than the reference. Tests do not call such a formula any more, and scenes only until it
-// has failed in two of them. So an endless loop costs only seconds, however many tests and other
+// Limits the time of all requests of one submission together. A formula is given up if it twice did
+// not return in time, if its calls without an answer took too long together, or if it is far slower
+// than the reference. Tests do not call such a formula any more, and scenes only until it has
+// failed in two of them. So an endless loop costs only seconds, however many tests and other
 // formulas call it. Time counts as in `Limits` in process.hpp: while the worker is on a processor,
 // or asleep while the client waits.
 //
 // All calls together have a budget of time, and so have all scenes (`Limits::all_calls` and
 // `all_scenes`). When it is used up, the floor (the lowest time limit) of a call or a scene is only
-// a tenth of its usual value; after the budget of the calls, a formula is given up as soon as it
-// does not return in time once. The limit is this floor or `Limits::multiple` times the time of the
-// reference, whichever is longer. So a solution that is slow and right is graded to its end, and a
-// solution that does not return is soon given up.
+// a tenth of its usual value. When the budget of the calls is used up, a formula is given up after
+// one call that does not return in time. The limit is this floor or `Limits::multiple` times the
+// time of the reference, whichever is longer. So a solution that is slow and right is graded to its
+// end, and a solution that does not return is soon given up.
 //
 // All starts of the worker together have a budget too (`Limits::all_starts`). A start constructs
 // the global objects of a submission, and each test case starts the worker again. When this budget

@@ -11,7 +11,7 @@
 
 namespace rigor {
 
-/// The world-space coordinates x, y and z of a node that handles prescribe.
+/// Which of the world-space coordinates x, y and z of a node are prescribed by handles.
 struct HeldAxes {
     std::array<bool, 3> axes = {false, false, false};
 
@@ -35,8 +35,8 @@ struct FreeNormal {
 };
 
 /// The direction m for a contact with the unit normal n. The result is empty if handles keep the
-/// node from moving along n, or if it could do so only by moving more than ten times as far in all.
-/// In both cases the contact acts on the rigid body alone.
+/// node from moving along n, or if a move along m would be more than ten times as long as its part
+/// along n. In both cases the contact acts on the rigid body alone.
 inline std::optional<FreeNormal> free_normal(const HeldAxes& held, const Vector3d& n)
 {
     if (!held.any()) return FreeNormal{n, 1};

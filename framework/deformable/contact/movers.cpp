@@ -142,9 +142,9 @@ Mover joined(const std::vector<Body>& bodies, const std::vector<int>& members,
     return mover;
 }
 
-// Whether two bodies move as one at a contact point. Their relative velocity there has to be below
-// `speed` [m/s], and so does their relative angular velocity times the distance of the point from
-// the farther center.
+// Whether two bodies move as one at a contact point: both their relative velocity there, and their
+// relative angular velocity times the distance of the point from the farther center, are below
+// `speed` [m/s].
 bool moves_with(const Body& body1, const Body& body2, const Vector3d& point, double speed)
 {
     const double radius =
@@ -153,7 +153,7 @@ bool moves_with(const Body& body1, const Body& body2, const Vector3d& point, dou
            radius * (body1.angular_velocity - body2.angular_velocity).norm() < speed;
 }
 
-// A contact between rigid bodies in the previous step, for one of its two bodies.
+// A contact between two rigid bodies in the previous step. Each of the two has its own entry.
 struct Lying {
     int body, other;
     Vector3d point, force; // present contact point [m]; mean force on `body` in that step [N]

@@ -111,8 +111,7 @@ void push_by_held_nodes(const Deformable& solid, const std::vector<HeldAxes>& he
             const double share = c.gap > 0 ? 1 : corrected_share, v_n = n.dot(v);
             const double j_n = std::max(
                 n.dot(impulses[k]) - (v_n + share * c.gap / time_step) / n.dot(K * n), 0.0);
-            // The trace of K is at least its eigenvalue for any direction, so this never
-            // overshoots.
+            // No eigenvalue of K exceeds its trace, so this step never overshoots.
             Vector3d j_t = impulses[k] - (v - v_n * n) / K.trace();
             j_t -= n.dot(j_t) * n;
             const double most = c.friction * j_n;

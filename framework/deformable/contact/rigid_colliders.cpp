@@ -110,7 +110,7 @@ void RigidColliders::apply_to(World& to) const
         if (to.bodies[i].rest.is_asleep()) wake(to, {i});
         AppliedForce nodes;
         nodes.body = i;
-        nodes.start = -nodes.end; // the end is infinite, so the force acts at all times
+        nodes.start = -nodes.end; // the end is 1e300, so the force acts at all times
         nodes.force = pushed_[i].impulse / time_step_;
         nodes.torque = pushed_[i].moment / time_step_;
         to.forces.push_back(nodes);

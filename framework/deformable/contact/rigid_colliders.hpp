@@ -16,14 +16,14 @@ namespace rigor {
 /// measured, move with each substep.
 class RigidColliders {
 public:
-    /// @param world  is not changed: the counters of the prediction are restored
+    /// @param world  is not changed: `movers_of` restores the counters that its prediction changes
     RigidColliders(World& world, double time_step);
 
     /// The mover of a body: what moves when a solid pushes this body.
     const Mover& mover(int body) const { return movers_.by(body); }
     /// The index of the mover of a body.
     int mover_number(int body) const { return movers_.of[body]; }
-    /// The velocity of the center of a body, as its mover moves [m/s].
+    /// The velocity of the center of a body, as a point of its mover [m/s].
     Vector3d velocity_of(int body) const;
 
     /// Moves the surfaces with the velocities of the movers for a substep of this length [s].

@@ -9,8 +9,8 @@
 //
 // (Horn 1987, "Closed-form solution of absolute orientation using unit quaternions"; in each of the
 // other roots, two of the sᵢ change sign). Newton's method, started at √3 ‖F‖, converges to s from
-// above. As s is the maximum of Tr(Rᵀ F) over all rotations R, its derivative by F is the R of this
-// maximum, R = ∂s/∂F = -∂p/∂F / ∂p/∂s:
+// above. As s is the maximum of Tr(Rᵀ F) over all rotations R, its derivative with respect to F is
+// the R of this maximum, R = ∂s/∂F = -∂p/∂F / ∂p/∂s:
 //
 //     R = ((s² + ‖F‖²) F + 2 s cof F - 2 F Fᵀ F) / (s³ - ‖F‖² s - 2 det F)
 //

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Computes the nodal forces of corotated linear elasticity with plastic strain and
 // stiffness-proportional damping (Müller and Gross 2004, "Interactive virtual materials"). For each
-// pair of elements it computes the deformation gradient, its polar decomposition, the elastic
+// pair of elements the code computes the deformation gradient, its polar decomposition, the elastic
 // strain and its rate, and the stress, in this order, and then adds the forces to the nodes.
 #include "deformable/elasticity/elements.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Plastic flow of the elements whose von Mises stress is above the yield stress. For each such
-// element it calls the formula `plastic_flow` to get the new plastic strain, limits this strain,
-// and updates the elastic strain. The total strain is the sum of an elastic and a plastic part, as
-// in O'Brien, Bargteil and Hodgins (2002), "Graphical modeling and animation of ductile fracture".
+// element the code calls `plastic_flow`, limits the plastic strain that this formula returns, and
+// updates the elastic strain. The total strain is the sum of an elastic and a plastic part, as in
+// O'Brien, Bargteil and Hodgins (2002), "Graphical modeling and animation of ductile fracture".
 #include "deformable/elasticity/flow.hpp"
 
 #include "deformable/elasticity/element.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Computes the rotation R and the symmetric S of F = R S for any F, even a singular or inverted
-// one. It uses the closed form of `closed_polar.hpp`, followed by one step of Newton's method that
-// makes R orthogonal up to rounding. Where the closed form is inaccurate, R comes from an
-// eigenvector instead (Horn 1987).
+// one. R comes from the closed form of closed_polar.hpp, and one step of Newton's method makes it
+// orthogonal up to rounding. Where the closed form is inaccurate, R comes from an eigenvector
+// instead (Horn 1987).
 #include "deformable/elasticity/polar_decomposition.hpp"
 
 #include "deformable/elasticity/closed_polar.hpp"

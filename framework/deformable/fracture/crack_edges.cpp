@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Chooses the planes of new cracks so that they continue the cracks of neighboring elements. It
-// collects the points where earlier cracks cut edges. It then tries the planes through one, two and
-// three of the points on an element's edges. Among the planes through the most points it takes the
-// one whose normal is nearest to the wanted normal.
+// Chooses the planes of new cracks so that they continue the cracks of neighboring elements. The
+// code collects the points where earlier cracks cut edges. Then it tries the planes through one,
+// two and three of the points on an element's edges. Among the planes through the most points it
+// takes the one whose normal is nearest to the wanted normal.
 #include "deformable/fracture/crack_edges.hpp"
 
 #include <algorithm>

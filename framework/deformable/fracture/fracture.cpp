@@ -124,8 +124,8 @@ int crack_faces(Deformable& solid, const ElementWorkspace& work,
         taken.add(t);
         const auto& back = work.face_neighbours[other];
         const auto g = std::find(back.begin(), back.end(), c.element) - back.begin();
-        // The neighbor does not list this element: an earlier split by a wrong formula has made a
-        // face that three elements share.
+        // If the neighbor does not list this element, an earlier split by a wrong formula has made
+        // a face that three elements share.
         if (g == 4) continue;
         solid.crack_faces[c.element][f] = solid.crack_faces[other][g] = true;
         ++cracks;
@@ -244,7 +244,7 @@ int crack_with_virtual_nodes(Deformable& solid, const std::vector<Candidate>& fo
         const auto& t = solid.rest.tetrahedra[c.element];
         if (!is_divisible || count[parent] >= most_in_element || taken.any(t)) continue;
         // An element gets no second crack whose normal is within about 45° of that of an earlier
-        // one: once the earlier crack has opened, the stress that asks for the second one is gone.
+        // one: once the earlier crack has opened, the stress that would cause the second is gone.
         if (edges.has_similar(parent, c.normal)) continue;
         const bool goes_on = edges.meets(parent, real);
         if (one_goes_on && !goes_on) continue;

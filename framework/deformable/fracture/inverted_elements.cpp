@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Separates elements that stay inverted for too long. It counts the time of each inverted element
-// and makes cracks along all faces of each element that exceeds the limit. Such an element gets its
-// shape without stress, and the motion of a rigid body with the same momentum and angular momentum.
+// Separates elements that stay inverted for too long. The code counts the time of each inverted
+// element and cracks all faces of those over the limit. An element that then shares no node gets
+// its shape without stress, and a rigid motion with the same momentum and angular momentum.
 #include "deformable/fracture/inverted_elements.hpp"
 
 #include "deformable/elasticity/element.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Transfers the state of a solid to a split mesh. It carries crack faces and plastic strains from
-// parent elements, then positions, velocities, handles and loads from old nodes, then lumps the
-// masses again. Last, it restores the angular momentum that a cut has lost (remesh.hpp).
+// Transfers the state of a solid to a split mesh. The code carries crack faces and plastic strains
+// from parent elements, then positions, velocities, handles and loads from old nodes, then lumps
+// the masses again. Last, it restores the angular momentum that a cut has lost (remesh.hpp).
 #include "deformable/fracture/remesh.hpp"
 
 #include "deformable/solid/lumped_mass.hpp"

@@ -66,7 +66,7 @@ private:
 
     std::optional<ContactStep> step_;
     std::vector<ContactMode> modes_; // for each contact
-    // For each contact, friction impulse divided by slip speed [kg]. Used only while it slides.
+    // For each contact that slides, its friction impulse divided by its slip speed [kg].
     std::vector<double> dampings_;
     std::vector<Vector3d> impulses_; // for each contact, its impulse on the node [N s]
     std::vector<int> tied_by_;       // for each node, the contact that ties it, or -1

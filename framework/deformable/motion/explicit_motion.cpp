@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Moves the nodes of a solid by substeps of symplectic Euler. Each substep measures the contacts
 // and the forces, applies the first half of the forces, lets nodes bounce, applies the second half,
-// applies contact impulses and moves the nodes. It then corrects the positions of nodes inside
-// bodies. Last, the elements flow plastically, unless the solid flows only once after each step.
+// applies contact impulses and moves the nodes. Then the positions of nodes inside bodies are
+// corrected. Last, the elements flow plastically, unless the solid flows only once after each step.
 //
 // Nodes bounce between the halves, since there the velocity v belongs to the same time as the
 // position x. With this v, symplectic Euler conserves v²/2 + (1 - h²ω²/4) ω²x²/2 for a spring of

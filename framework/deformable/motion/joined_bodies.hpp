@@ -35,7 +35,7 @@ private:
 
     std::vector<int> numbers_; // for each rigid body, what `number` returns
     std::vector<SystemBody> before_,
-        after_; // the bodies without contacts, and after the latest solve
+        after_; // the bodies before contacts act, and after the latest solve
 };
 
 } // namespace rigor

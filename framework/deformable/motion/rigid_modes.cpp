@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Moves the nodes of a solid as particles of one rigid body (lecture "Rigid bodies", "Constrained
-// dynamics"). It takes the coefficients u of the velocity modes from the momenta of the nodes, then
-// u̇ from the generalized mass and the forces, and then moves the nodes.
+// dynamics"). The code takes the coefficients u of the velocity modes from the momenta of the
+// nodes, then u̇ from the generalized mass and the forces, and then moves the nodes.
 #include "deformable/motion/rigid_modes.hpp"
 
 #include "deformable/elasticity/totals.hpp"
@@ -42,8 +42,8 @@ Modes modes_of(const NodeMotion& motion)
     }
     const Matrix6d mass = generalized_mass(particles, modes.X);
     const Eigen::LDLT<Matrix6d> inverse(mass);
-    // u follows from the velocities v of the nodes: (Sᵀ M S) u = Sᵀ M v, where S u would be the
-    // velocities of a rigid body.
+    // u follows from the velocities v of the nodes: (Sᵀ M S) u = Sᵀ M v. So the rigid motion S u
+    // has the momentum and the angular momentum of the nodes.
     modes.u = inverse.solve(momentum);
     // u̇ follows from the forces F on the nodes: (Sᵀ M S) u̇ = Sᵀ F - (Sᵀ M Ṡ) u.
     const Wrench inertial =

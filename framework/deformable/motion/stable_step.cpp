@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Computes the longest stable substep of symplectic Euler from a bound on the highest frequency of
-// each element (Irons and Treharne 1971). It shares the mass of each node among its elements in
-// proportion to their stiffness, bounds the largest eigenvalue of each element, and converts the
+// each element (Irons and Treharne 1971). The code shares the mass of each node among its elements
+// in proportion to their stiffness, bounds the largest eigenvalue of each element, and converts the
 // largest of these bounds to a substep.
 #include "deformable/motion/stable_step.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Assembles the linear system of backward Euler, A v = M v₀ + h f(x₀). After the solve, it restores
-// the momentum of each connected piece of the solid that neither handles nor contacts hold: all
-// nodes of the piece get the same additional velocity, which makes up for the missing momentum.
+// Assembles the linear system of backward Euler, A v = M v₀ + h f(x₀). After the solve, the code
+// restores the momentum of each connected piece of the solid that neither handles nor contacts
+// hold: all nodes of the piece get the same additional velocity, which adds the missing momentum.
 #include "deformable/motion/velocity_system.hpp"
 
 namespace rigor {

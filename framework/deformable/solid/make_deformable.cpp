@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes a solid without velocity or plastic strain from its mesh at rest. First it moves the
-// vertices to their positions in the world, then it lumps the masses at the nodes.
+// Makes a solid without velocity or plastic strain from its mesh at rest. First the vertices are
+// moved to their positions in the world, then the masses are lumped at the nodes.
 #include "deformable/solid/make_deformable.hpp"
 
 #include "deformable/solid/lumped_mass.hpp"

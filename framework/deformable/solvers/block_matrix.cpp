@@ -17,7 +17,7 @@ void BlockMatrix::analyse(const Elements& elements, int nodes)
     nodes_ = nodes;
     std::vector<std::vector<int>> neighbours(nodes);
     for (int i = 0; i < nodes; ++i)
-        neighbours[i] = {i}; // also of a node without elements, as a wrong answer may leave it
+        neighbours[i] = {i}; // also for a node without elements, which a wrong formula may leave
     for (int e = 0; e < elements.size(); ++e) {
         const auto t = elements.nodes(e);
         for (const int i : t)

@@ -225,8 +225,8 @@ int ImplicitSystem::solve(const Vectors& b, const std::vector<int>& nodes,
     return iterations;
 }
 
-// Iterates from x_ and r_ = b until r·z is at most `enough`, or until the largest number of
-// iterations `most` is reached. @return the number of iterations
+// Iterates from x_ and r_ = b until r·z is at most `enough`, until rounding errors prevent
+// progress, or until `most` iterations are done. @return the number of iterations
 int ImplicitSystem::iterate(double enough)
 {
     const auto for_each = [&](const auto& visit) {

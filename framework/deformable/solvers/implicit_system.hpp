@@ -40,11 +40,11 @@ public:
     const BlockMatrix& matrix() const { return matrix_; }
 
     /// Solves for the velocities of some parts (connected pieces of the solid) by conjugate
-    /// gradients, which start from the velocities passed in. They end when the residual is 1e-7 of
-    /// the right-hand side, in the norm of the preconditioner, or after a fixed largest number of
-    /// iterations (`iterate`). If a factorization of A with its ties is cheap, it is the
-    /// preconditioner; then one iteration is enough, unless rounding errors or rigid bodies require
-    /// more. Otherwise the preconditioner consists of the diagonal blocks of A.
+    /// gradients, which start from the velocities passed in. They end when the residual is at most
+    /// 1e-7 of the right-hand side, in the norm of the preconditioner, or when a limit in `iterate`
+    /// is reached. If a factorization of A with its ties is cheap, it is the preconditioner; then
+    /// one iteration is enough, unless rounding errors or rigid bodies require more. Otherwise the
+    /// preconditioner consists of the diagonal blocks of A.
     /// @param nodes  all nodes of these parts, ascending; every part tied to one of `bodies` must
     ///               be among them, because the body would otherwise lack the part's impulses
     /// @param tied   the ties of these nodes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Advances a world by one time step. For each solid it moves the nodes with their contacts, then
-// lets the elements flow plastically at the new places of the nodes (unless they flowed in each
-// explicit substep), then separates elements that stay inverted or, if there are none, opens
+// Advances a world by one time step. For each solid the code moves the nodes with their contacts,
+// then lets the elements flow plastically at the new places of the nodes (unless they flowed in
+// each explicit substep), then separates elements that stay inverted or, if there are none, opens
 // cracks. Last comes the step of the rigid bodies, with the impulses of the nodes as forces.
 #include "deformable/step/step.hpp"
 

@@ -30,7 +30,7 @@ public:
 
     BoundingTree() = default;
 
-    /// A tree over items 0 … n - 1.
+    /// A tree over all boxes: item i has the box boxes[i].
     /// @param boxes  boxes with finite corners
     explicit BoundingTree(const std::vector<Bounds>& boxes);
 

@@ -52,8 +52,8 @@ public:
         }
     }
 
-    /// Two nodes: a member of the first may overlap a member of the second. Twice the same node
-    /// stands for all pairs of members of this node.
+    /// Two nodes: a member of the first may overlap a member of the second. A node paired with
+    /// itself stands for all pairs of its own members.
     using NodePair = std::pair<int, int>;
 
     /// Calls visit(i, j) once for each pair of members whose boxes overlap.

@@ -12,11 +12,11 @@ namespace rigor {
 
 namespace {
 
-// A chain turns at a point if the triangle of this point and its neighbors has more than this
-// share of the square of the points' extent as twice its area.
+// A chain turns at a point if twice the area of the triangle of this point and its neighbors,
+// divided by the square of the points' extent, is above this. A smaller area is rounding.
 constexpr double least_turn = 1e-9;
 
-// The index of the point that is farthest from x, across n.
+// The index of the point that is farthest from x, measured perpendicular to n.
 std::size_t farthest_from(const Vector3d& x, std::span<const Vector3d> points, const Vector3d& n)
 {
     const auto distance = [&](const Vector3d& p) { return (p - x).cross(n).squaredNorm(); };

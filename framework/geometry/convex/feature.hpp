@@ -13,7 +13,7 @@ struct Feature {
     /// The largest number of points; `add` ignores more. With more points, faces with many corners
     /// would be represented better, but contacts would take more time.
     static constexpr int most = 16;
-    /// Cosine and sine of about 26°. A whole face counts as turned to a direction if its normal is
+    /// Cosine and sine of about 26°. A whole face counts as facing a direction if its normal is
     /// within this angle of the direction, an edge if it is perpendicular to the direction within
     /// this angle. With a larger angle, a tilted body would get the contacts of a body that lies
     /// flat. With a smaller one, a body that begins to rock would lose contacts. The value was

@@ -35,8 +35,8 @@ private:
     struct Face {
         Vector3d normal;
         double area = 0;
-        // Indices of vertices, counter-clockwise around the normal. Vertices that no face has as a
-        // corner, because they lie inside a face or along an edge, are left out.
+        // Indices of vertices, counter-clockwise around the normal. Vertices that are no corner of
+        // the solid, because they lie inside a face or along an edge, are left out.
         std::vector<int> corners;
     };
     int farthest(const Vector3d& direction) const;

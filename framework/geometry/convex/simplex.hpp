@@ -38,9 +38,9 @@ Simplex simplex_of(const Vertex& vertex);
 /// "Real-time collision detection", 5.1). If it has all four vertices, the origin is inside.
 Simplex nearest_of(const Simplex& simplex);
 
-/// The face of a tetrahedron that is nearest to the origin, on whichever side of the face the
-/// origin is; or only an edge or vertex of this face. Call it if the origin is known to be outside,
-/// although rounding makes a flat tetrahedron seem to contain the origin.
+/// The face of a tetrahedron that is nearest to the origin, or only an edge or vertex of this face.
+/// The origin may be on either side of the face. Call this function if the origin is known to be
+/// outside, although rounding makes a flat tetrahedron seem to contain the origin.
 Simplex nearest_face_of(const Simplex& tetrahedron);
 
 } // namespace rigor

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Computes the distance or the penetration depth of two convex shapes. Distances are found by the
 // GJK algorithm (Gilbert, Johnson and Keerthi 1988), depths by pushing the shapes apart along
-// candidate directions. GJK is tried first. If the shapes overlap, the candidate directions follow,
-// and only if these are not enough, a direction from the expanding polytope (van den Bergen 2001).
+// candidate directions. GJK is tried first, then, if the shapes overlap, the candidates. If these
+// are not enough, an expanding polytope (EPA, van den Bergen 2001) gives one more direction.
 #include "geometry/distance/separation.hpp"
 
 #include "geometry/convex/expanding_polytope.hpp"
@@ -20,8 +20,8 @@ namespace rigor {
 
 namespace {
 
-// The largest number of steps of GJK and of the polytope. Both usually need far fewer; the limit
-// guards against cycles that rounding causes.
+// The largest number of steps of GJK and of EPA. Both usually need far fewer; the limit guards
+// against cycles that rounding causes.
 constexpr int most_steps = 100;
 
 // Relative error at which GJK's distance has converged: a few thousand times the rounding of a
@@ -35,7 +35,7 @@ constexpr double gjk_tolerance = 1e-12;
 // between the nearest points is mostly a rounding error.
 constexpr double least_distance = 1e-6;
 // After `push_out` has moved the shapes apart, GJK's normal and nearest points are used only if the
-// distance is above this. It is at least the margin, so that only rounding can bring it below.
+// distance is above this. Only rounding can make the distance smaller: the margin is far larger.
 constexpr double least_gjk_length = 1e-9;
 // The shapes count as touching if the origin is nearer to the simplex of GJK than this.
 constexpr double inside_tolerance = 1e-12;

@@ -10,8 +10,8 @@ namespace rigor {
 /// the format does not say which triangles are connected. Normals in the file are skipped: the
 /// order of the corners says where the outside is.
 ///
-/// A binary file is recognized by its length: 84 bytes, and 50 for each triangle of the count in
-/// its bytes 80 to 83, counted from 0. A text begins with `solid`.
+/// A binary file is recognized by its length: 84 bytes and 50 more for each triangle. Its bytes 80
+/// to 83, counted from 0, are the number of triangles. A text begins with `solid`.
 ///
 /// @throws MeshError
 SurfaceText read_stl(std::string_view bytes);

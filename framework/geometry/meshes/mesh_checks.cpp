@@ -23,8 +23,8 @@ namespace {
 constexpr double least_area = 1e-12;
 
 // A mesh has no volume if its volume, divided by the cube of the longest side of its bounds, is at
-// most this: such a volume is a rounding error. The same number, times the cube of the longer of
-// edge and face, is the tolerance of `pierces`.
+// most this: such a volume is a rounding error. The same number, times the cube of the length of
+// the edge or of the face's bounds, whichever is longer, is the tolerance of `pierces`.
 constexpr double least_volume = 1e-12;
 
 // Two unit normals count as opposite if the length of their sum is below this.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles: normals and bounds, the point nearest to a point, and whether a segment goes through.
+// Triangles: normals, bounds, nearest points, and whether a segment goes through a triangle.
 #pragma once
 
 #include "formulas/types.hpp"

@@ -22,8 +22,8 @@ constexpr int cell_tetrahedra[5][4] = {
 // Whether the block has the cells in column (x, y), at all z.
 using IsThere = std::function<bool(int, int)>;
 
-// Neighboring cells are mirror images in x. A mirrored tetrahedron would be inverted, so two of
-// its vertices are swapped.
+// The tetrahedra of all cells of a block. Neighboring cells are mirror images in x. A mirrored
+// tetrahedron would be inverted, so two of its vertices are swapped.
 TetrahedralMesh cells_as_tetrahedra(const Vector3d& size, const std::array<int, 3>& cells,
                                     const IsThere& is_there)
 {

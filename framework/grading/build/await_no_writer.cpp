@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Requests a read lease (F_SETLEASE) every millisecond until the kernel grants it, for at most 10
-// s. The kernel grants it only if no process has the file open for writing.
+// Requests a read lease (F_SETLEASE) every millisecond, for at most 10 s, until the kernel grants
+// it. The kernel grants it only if no process has the file open for writing.
 #include "grading/build/await_no_writer.hpp"
 
 #include <cerrno>

@@ -10,7 +10,7 @@
 namespace rigor {
 
 /// An error message of one line if a forbidden file is in the compiler's list of what it opened;
-/// otherwise empty. Forbidden are all files of this tree and of its build, by whatever path, macro
+/// otherwise empty. All files of this tree and of its build are forbidden, by whatever path, macro
 /// or link they were included, except those in `folder`, the contract (framework/formulas/), the
 /// precompiled header of Eigen, and no_file_queries.hpp. A file that does not exist any more is
 /// forbidden too.

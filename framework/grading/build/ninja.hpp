@@ -35,7 +35,7 @@ std::vector<std::string> ninja_commands(const std::string& target);
 std::vector<std::string> ninja_programs(const std::string& prefix);
 
 /// The first errors of a compiler's or linker's output: at most 20 lines, each cut to 400
-/// characters. They begin with the first one that names an error, or at the start if none does.
+/// characters. They begin with the first line that names an error, or at the start if none does.
 std::string first_errors(const std::vector<std::string>& lines);
 
 } // namespace rigor

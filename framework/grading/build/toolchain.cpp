@@ -192,7 +192,7 @@ ConfinedRun run_tool(const ToolRun& tool)
     walls.folder = tool.folder;
     walls.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + tool.out.string()};
     walls.limits.address_space = memory_of_a_tool();
-    // A compiler starts an assembler, and a linker some threads for each processor.
+    // A compiler starts an assembler, and a linker starts some threads for each processor.
     walls.limits.processes = 64 + 4 * std::thread::hardware_concurrency();
     walls.limits.processor_time = static_cast<std::uint64_t>(compile_limit);
     walls.limits.file_size = tool.largest_file;

@@ -16,8 +16,8 @@ public:
     Processors();
     explicit Processors(const std::vector<int>& numbers);
 
-    /// Takes a processor for a job: of those with the fewest jobs, the next one after the last that
-    /// was taken, so that in time the jobs are spread over all of them.
+    /// Takes a processor for a job. Among those with the fewest jobs, it is the next one after the
+    /// processor that was taken last, so that the jobs are spread over all processors.
     /// @return its number for `keep_to`; -1 if none is known
     int take();
     void give_back(int number);

@@ -91,8 +91,8 @@ Confinement walls_of_unpack()
 #else
     Confinement walls{Profile::compiler, usual_tier()};
     walls.readable = {RIGOR_UNPACK};
-    // [bytes]; besides the sources, the library keeps a dictionary for decompression in memory, of
-    // at most some hundred megabytes.
+    // [bytes]; besides the sources, the library keeps a dictionary for decompression in memory,
+    // which has at most some hundred megabytes.
     walls.limits.address_space = std::uint64_t{1} << 30;
     walls.limits.processor_time = 60; // [s]; unpacking 64 MB takes less than a second
     walls.limits.file_size = 0;

@@ -60,7 +60,7 @@ struct RigidBody {
     Matrix3d inertia = Matrix3d::Zero(); // I_body, about the center of mass [kg m²]
     BodyInertia inverse;                 // 1/M and I_body⁻¹, computed once; zero if static
     // The principal axes Q as columns and the inverse moments along them, I_body⁻¹ = Q diag(J) Qᵀ.
-    // Not used for a body with `only_axis`, whose I_body⁻¹ comes from `let_turn_about` (mass.hpp).
+    // A body with `only_axis` does not use them: `let_turn_about` (mass.hpp) sets its I_body⁻¹.
     Matrix3d principal_axes = Matrix3d::Identity();
     Vector3d inverse_moments = Vector3d::Zero(); // J [1/(kg m²)]
     // Whether I_body = i δ (i: a number, δ: identity), so that I(t)⁻¹ = I_body⁻¹ in every

@@ -115,9 +115,8 @@ Vector3d symmetry_axis_of(const PrincipalAxes& axes)
 }
 
 // I_body⁻¹ = Q diag(1/m) Qᵀ (Q: principal axes as columns, m: principal moments), by the formulas
-// `principal_axes` and `invert_moments`; the inverse of a moment 0 is 0. The inverse of an
-// isotropic inertia i δ (i: a number, δ: identity) is δ/i, or 0 if i = 0, for which no formula
-// is called.
+// `principal_axes` and `invert_moments`; the inverse of a moment 0 is 0. For an isotropic inertia
+// i δ (i: a number, δ: identity), no formula is called: the inverse is δ/i, or 0 if i = 0.
 void invert_inertia(RigidBody& body)
 {
     body.is_isotropic = is_isotropic(body.inertia);

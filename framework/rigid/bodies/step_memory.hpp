@@ -39,13 +39,13 @@ struct SleepingContact : ContactRecord {
 /// What a step leaves for the next one. At the end of a step, `finish_step` (step/step_result)
 /// replaces the warm contacts; in a world of a single body, `step_single_body` removes them
 /// instead. step/sleep stores the contacts of bodies that fall asleep as sleeping contacts. When
-/// the bodies wake, it makes their sleeping warm contacts warm contacts again.
+/// the bodies wake, it moves their sleeping warm contacts back to the warm contacts.
 /// detection/broad_phase writes the pairs. The time for which a body has been at rest is in
 /// `RigidBody::rest`.
 ///
-/// `start_warm` reads the warm contacts, and step/adaptive_substeps those of a part of the world.
-/// deformable/contact/movers reads them too, also if the warm start is turned off, to see which
-/// bodies lie on each other.
+/// `start_warm` reads the warm contacts. step/adaptive_substeps copies those of a part of the
+/// world. deformable/contact/movers reads them too, also if the warm start is turned off, to see
+/// which bodies lie on each other.
 struct StepMemory {
     std::vector<WarmContact> warm_contacts;          // sorted by `body1`, then `body2`
     std::vector<SleepingContact> sleeping_contacts;  // contacts that support sleeping bodies

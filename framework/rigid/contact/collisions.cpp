@@ -18,9 +18,9 @@ namespace rigor {
 namespace {
 
 // The largest number of sweeps over the pairs of an island, and the largest number of bounces of
-// one pair in a sweep. With larger numbers, an impact would pass through more bodies with
-// restitution, but the stage would take more time. Contacts that still approach are left to the
-// contact stage.
+// one pair in a sweep. With larger numbers, an impact with restitution would pass through more
+// bodies, but the stage would take more time. Contacts that still approach are left to the contact
+// stage.
 constexpr int most_sweeps = 10;
 constexpr int most_rounds = 4;
 // Two points are averaged if the smaller of their depths is at least this fraction of the larger

@@ -22,8 +22,8 @@ struct ContactConstraint : Contact {
     double restitution = 0, friction = 0;
     double radius = 0; // radius of the body that can move; if both can, the smaller radius [m]
     // `turning_speed` is the part of v·n by which rotation moves the point towards the other body,
-    // ≤ 0 [m/s]. It is 0 unless this rotation does not close the gap (the front of a rolling wheel)
-    // or the gap already includes the rotation (case 3).
+    // ≤ 0 [m/s]. It is set only if this rotation does not close the gap (the front of a rolling
+    // wheel) or if the gap already includes the rotation (case 3); otherwise it is 0.
     // `predicted_gap` adds `passes_by` [m] to gap + h v·n, the gap that v·n predicts for the end of
     // the step (h: time step). `passes_by` is 0 except in these cases:
     // 1. The front of a rolling wheel moves down, but also forward, so that it does not reach the
@@ -33,8 +33,8 @@ struct ContactConstraint : Contact {
     // 3. `gap` belongs to the orientation at the end of free flight (`ContactCandidates::turned`),
     //    so it already includes the rotation. `passes_by` is -h times the part of v·n by rotation,
     //    so that the rotation does not count twice.
-    // 4. The contact was solved in the middle of the step (step/midpoint_contact). Then h v·n +
-    //    passes_by is h times the mean of v·n over the step, where v is the velocity at its end.
+    // 4. The contact was solved in the middle of the step (step/midpoint_contact). `passes_by` is h
+    //    times the mean of v·n over the step, minus h v·n with the v at the end of the step.
     double turning_speed = 0, passes_by = 0;
     double force_speed = 0;        // change of v·n by the forces in this step [m/s]
     double free_speed = 0;         // v·n after the forces, if there were no impulses [m/s]

@@ -28,7 +28,7 @@ constexpr int iterations = 10;
 constexpr double enough_share = 0.02;
 constexpr int growth = 4, most_visits = 4000;
 
-// For each body, the bodies on which it rests, because their contacts push it upwards.
+// For each body, the bodies on which it rests: their contacts can lift it (`least_lift`).
 std::vector<std::vector<int>> supports(const ContactProblem& problem, const LocalIsland& local)
 {
     std::vector<std::vector<int>> rests_on(local.bodies.size());

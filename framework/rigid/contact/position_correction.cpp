@@ -95,12 +95,12 @@ Rows rows_of(const ContactProblem& problem, const Island& island, const IndexRan
             const double v_n = problem.velocity_at(c, c.point).dot(c.normal);
             const double gap = problem.predicted_gap(c, v_n);
             const double radius = c.radius;
-            if (gap > correction_rate * radius * h) continue; // larger than the largest correction
+            if (gap > correction_rate * radius * h) continue; // no correction is this large
             double distance = -gap;
             if (gap < 0) {
                 const double excess = -gap - slop * radius;
-                // Overlap below twice the slop is not corrected, so that corrections come to an
-                // end.
+                // An overlap below twice the slop is not corrected. Otherwise corrections would
+                // never end.
                 const bool is_corrected = excess > slop * radius;
                 rows.needs_correction |= is_corrected;
                 distance = is_corrected

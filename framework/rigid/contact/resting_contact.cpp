@@ -64,9 +64,9 @@ void resolve(ContactProblem& problem, const Island& island)
     if (!corrects) return solve(problem, island, active);
 
     // A target speed above 0 corrects penetration, but adds energy. The result is kept in two
-    // cases. Either the kinetic energy of the island does not grow, or it grows by more than the
-    // energy of the bodies' motion relative to each other, so the bodies hardly moved. Otherwise
-    // the island is solved again without the correction, which waits for a later step.
+    // cases. Either the kinetic energy of the island does not grow, or it grows by more than
+    // `before.inner`, so the bodies hardly moved relative to each other before. Otherwise the
+    // island is solved again without the correction, which waits for a later step.
     constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
     const std::vector<Body> bodies = problem.bodies_of(island);
     const Vector3d V = problem.grounds_of(island).front().velocity;

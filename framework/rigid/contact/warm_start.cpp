@@ -65,9 +65,9 @@ private:
     bool is_first_ = true;
 };
 
-// A contact, a contact of the previous step, and the distance between them.
+// A contact, a contact of the previous step, and the square of the distance between them.
 struct Match {
-    double distance = 0;                 // the square of the distance [m²]
+    double distance = 0;                 // squared [m²]
     std::size_t contact = 0, before = 0; // indices of the new and of the old contact
 
     auto operator<=>(const Match&) const = default;

@@ -75,14 +75,14 @@ double speed_transfer(const ImpulseBody& i, const ImpulseBody& j)
 // Whether a body turns in the step by so large a part of the angle between two facets that it rolls
 // like a round body. In the orientation at the start of the step, the vertex on which such a body
 // will stand at the end lies ahead of the body, and a contact at this vertex would brake the body.
-// A body that turns less touches the ground with one vertex after the other. Only the orientation
-// at the start of the step shows the contacts of such a body correctly.
+// A body that turns less touches the ground with one vertex after the other. Its contacts are
+// correct only in its orientation at the start of the step.
 bool turns_over_facets(const RigidBody& body, const RigidState& flown)
 {
     // The smallest rotation in a step with which a body counts as turning over its facets, as a
     // fraction of the angle between two of them. With a larger value, wheels that need many steps
     // for a facet are braked too much. With a smaller value, wheels keep speed that the impacts of
-    // their corners should take. Chosen by trial; tests/classics has wheels that roll.
+    // their corners should take. The value was chosen by trial; tests/classics has rolling wheels.
     constexpr double least_turn = 1. / 16;
     double angle = 0; // largest angle between two facets [rad]
     for (const Part& part : body.parts)
@@ -100,7 +100,7 @@ struct ContactSearch {
     // For each body, its longest path relative to one of the motions of `frames_of` [m].
     std::vector<double> travels;
     ContactCandidates candidates; // filled in this order: poses and radii, margins, contacts
-    std::vector<Pose> turned;     // poses for the narrow phase; if empty, `candidates.poses`
+    std::vector<Pose> turned;     // poses for the narrow phase; empty: it uses `candidates.poses`
     double time_step = 0;         // [s]
 };
 
@@ -175,7 +175,7 @@ std::vector<double> margins_of(const ContactSearch& search, const std::vector<Bo
         bodies.push_back(impulse_body(search.world, body));
     // The largest number of bodies in a row through which an impulse passes in a step. With more
     // rounds, bodies farther along a row would get larger margins, but the rounds would take more
-    // time. Chosen by trial.
+    // time. The number was chosen by trial.
     constexpr int most_rounds = 8;
     constexpr std::size_t grain_size = 1024; // least number of pairs in one parallel task
     ImpulsePropagation propagation{bodies, search.travels, std::vector<char>(bodies.size(), true)};

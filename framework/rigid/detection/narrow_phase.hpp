@@ -31,7 +31,7 @@ void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& sh
 /// their points, lowest first. The order does not depend on how bodies and parts are numbered.
 ///
 /// @param poses      the poses of all bodies
-/// @param counters   the counts of built level sets and of their samples are added to it
+/// @param counters   receives the counts of built level sets and of their samples
 /// @param time_step  the search looks ahead by this time along the bodies' velocities [s]. For two
 ///                   boxes, or a sphere and a box, it prefers a normal along which they are apart
 ///                   now and will overlap less (box_box.hpp). For a concave mesh it adds contacts

@@ -14,8 +14,8 @@ namespace rigor {
 double angle_turned(const World& world, const RigidBody& body, const RigidState& state,
                     double time_step);
 
-/// How a body moves in free flight during the step [m]. `moved` is the displacement of its center,
-/// `at_last_velocity` the displacement that its velocity at the end of the flight would give over
+/// How a body moves in free flight during the step [m]. `moved` is the displacement of its center.
+/// `at_last_velocity` is the displacement that its velocity at the end of the flight would give in
 /// the whole step. `turned` is how far rotation moves its other points in addition.
 struct Travel {
     Vector3d moved = Vector3d::Zero(), at_last_velocity = Vector3d::Zero();

@@ -17,7 +17,7 @@ struct Motion {
 };
 
 /// For each body, whether a spring is attached to it, or an applied force acts on it at some time
-/// in [time, time + step], where `time` is the world's time. False for static bodies.
+/// in [time, time + time_step], where `time` is the world's time. False for static bodies.
 std::vector<bool> pulled_bodies(const World& world, double time_step);
 
 /// The list `pulled` (from `pulled_bodies`), with true also for each body that has drag, is awake

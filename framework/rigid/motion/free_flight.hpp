@@ -14,9 +14,9 @@
 //   3. If any spring damps or a medium brakes a body, all pulled bodies take the method of
 //      Munthe-Kaas.
 //
-// Methods 2 and 3 advance all pulled bodies together, in equal substeps of length h. There are
-// enough substeps for two conditions. Each of these bodies, unless it is isotropic, rotates by at
-// most a quarter turn in a substep (with the limit in `substeps_for`, free_flight.cpp). And
+// Methods 2 and 3 advance all pulled bodies together, in equal substeps of length h. The substeps
+// are so short that two conditions hold. Each of these bodies, unless it is isotropic, rotates by
+// at most a quarter turn in a substep (but there are never more than 1000 substeps). And
 // `fastest_force_rate` times h is at most 0.5. The integrators other than `exact` and `runge_kutta`
 // do not divide the step for forces, so that students can watch where springs make these
 // integrators unstable.

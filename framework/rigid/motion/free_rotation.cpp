@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Computes Jacobi's solution for the free rotor in four stages. Stage 1 finds the closed curve on
 // which the angular momentum moves in the body. Stage 2 finds the elliptic functions at the end of
-// the step by the addition theorem, and stage 3 the angle about the fixed momentum by Carlson's
+// the step by the addition theorem. Stage 3 finds the angle about the fixed momentum by Carlson's
 // integrals. Stage 4 finds the rotation of the body from two frames that axis 3 and the momentum
 // span in the body, one at the start of the step and one at its end.
 // Differences of squares are written as sums of positive terms, so that no digits cancel near the
@@ -89,8 +89,8 @@ double integral(const Path& path, const EllipticFunctions& start, const Elliptic
     return half_periods == 0 ? G : G + half_periods * 2 * swept(path, {0, 1, 1}).G;
 }
 
-// The frame that axis 3 and M span. Its columns, each of length 1: the part of axis 3 perpendicular
-// to M, the direction that completes the frame, and M.
+// The frame that axis 3 and M span (|M| = 1). Its columns are unit vectors: the direction of the
+// part of axis 3 perpendicular to M, the direction that completes the frame, and M.
 Matrix3d frame_of(const Vector3d& M, int axis3)
 {
     const double across = std::hypot(M[(axis3 + 1) % 3], M[(axis3 + 2) % 3]);

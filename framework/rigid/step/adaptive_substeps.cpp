@@ -163,7 +163,7 @@ bool moves_only_balls(const World& world, const ContactConstraint& c)
 }
 
 // Whether other bodies pushed the two bodies of a pair towards each other again after their bounce,
-// so that the contact stage stopped them at a time when they should bounce again.
+// so that the contact stage stopped them, although they should bounce again.
 bool is_hit_again(const ContactProblem& problem, const ContactPair& pair)
 {
     constexpr double noticeable = 1e-3; // smaller shares are errors of the sweeps and rounding
@@ -186,8 +186,8 @@ struct Division {
 // 1. Two moving balls.
 // 2. A ball and a static body, in an island of at most `few_bodies` bodies where several pairs
 //    bounce and no contact carries a load. A load that stops bodies that were pushed together again
-//    (`is_hit_again`) does not count. (With another load, its mean force, from which the next step
-//    starts, might come from a very short part of this step.)
+//    (`is_hit_again`) does not count. (For any other load, the next step starts from its mean force
+//    in the later part of this step, so this part must not be very short.)
 //
 // A bounce that `bounce_at_impacts` has moved to its time of impact does not count. The exact time
 // matters, as in billiards: balls separate along the line of centers that they have at the impact.
@@ -288,8 +288,8 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
         if (is_free) {
             fly_freely(part.world, first);
         } else {
-            // Beyond the limit, only the later part is divided again. So the number of parts grows
-            // with the number of bounces, and not with a power of two.
+            // From `most_divisions` on, only the later part is divided again. So the number of
+            // parts grows in proportion to the number of bounces, and not exponentially.
             const int of_first = is_at_limit ? most_divisions_of_few : divisions + 1;
             take_substep(part, step, of_first, first, refined);
         }

@@ -24,7 +24,7 @@ using StepOfPart =
 
 /// The limits of `divisions`, which bound the run time. A part after ten halvings is a 1024th of
 /// the step. In an island of at most `few_bodies` bodies, more divisions are allowed at impacts
-/// whose times differ: there each division adds one more bounce, which would lose its energy
+/// whose times differ: each such division resolves one more bounce, whose energy would be lost
 /// otherwise.
 inline constexpr int most_divisions = 10;
 inline constexpr int most_divisions_of_few = 400;
@@ -37,7 +37,7 @@ inline constexpr int most_divisions_of_few = 400;
 ///    1/200 of the thinner body's thickness if the sum of θ² r/2 of both bodies exceeds this
 ///    length, otherwise by 1/20.
 /// 2. Two moving balls bounce off each other with ε > 0. The step is divided at the time of impact,
-///    because the balls separate along the line that their centers have at that time.
+///    because the balls separate along the line through their centers at that time.
 /// 3. In an island of at most `few_bodies` bodies, several pairs bounce, among them a ball and a
 ///    static body with ε > 0, and no contact carries a load. The step is divided at the first
 ///    impact.

@@ -146,8 +146,8 @@ std::optional<PairWorld> pair_at_impact(const World& world, const ContactConstra
         pair = pair_at(world, c, time, reach);
     }
     if (std::abs(pair.gap) > nearly_touching_gap * c.radius) return std::nullopt;
-    // With a larger reach, the few contacts that a pair keeps are spread over the whole bodies, and
-    // only one end of an edge that hits may be left.
+    // A pair keeps only a few contacts. If the reach were larger than `near`, these contacts would
+    // be spread over the whole bodies, and only one end of an edge that hits might be kept.
     double near = 2 * nearly_touching_gap * c.radius;
     for (const RigidBody& body : pair.world.bodies)
         near += time_step * fastest_near(pair.world, body, c.point, c.radius);
@@ -176,7 +176,7 @@ ContactProblem problem_at_impact(PairWorld& pair, double radius, double rest)
             flown.push_back(fly(pair.world.settings, body, body.state, rest, pair.world.counters));
     }
     ContactProblem problem = make_problem(pair.world, flown, near, rest, pair.world.pool);
-    // A driven body hits with its velocity at the impact, not with its mean over the rest.
+    // A driven body hits with its velocity at the impact, not with its mean velocity in `rest`.
     for (std::size_t k = 0; k < 2; ++k)
         if (const RigidBody& body = pair.world.bodies[k]; body.changes_place()) {
             const DriveVelocity now = drive_velocity(*body.drive, pair.world.time);
@@ -217,8 +217,8 @@ void fly_on(PairWorld& pair, const ContactProblem& impact, const ContactConstrai
     }
 }
 
-// Whether contacts on different sides of the pair got an impulse in the collision stage, as
-// those of a ball in the corner of a room that is one body. These impacts have different times.
+// Whether contacts on different sides (`are_on_one_side`) got an impulse in the collision stage, as
+// for a ball in the corner of a room that is a single body. These impacts have different times.
 bool bounced_on_two_sides(const ContactProblem& problem, const ContactPair& pair)
 {
     std::vector<Vector3d> normals;

@@ -15,7 +15,7 @@ namespace {
 
 // Whether positions converge with an order above the first even where forces change within a step,
 // as the forces of springs do. (The integrator `buss` has a higher order only without such forces.)
-// If so, bodies that contacts hold should have a higher order too.
+// If so, the positions of bodies that contacts hold should have a higher order too.
 bool is_of_higher_order(Integrator integrator_under_forces)
 {
     return integrator_under_forces == Integrator::runge_kutta ||

@@ -35,8 +35,8 @@ bool has_mesh(const RigidBody& body)
                        [](const Part& part) { return std::holds_alternative<Mesh>(part.shape); });
 }
 
-// Whether a body is a belt, or has a drive that neither moves it along a line nor turns it about a
-// fixed axis, at a constant velocity during the whole step.
+// Whether a body has a drive that is a belt, or that is anything but a motion along a line or a
+// rotation about a fixed axis, with a constant velocity during the whole step.
 bool is_driven_unevenly(const RigidBody& body, double time, double time_step)
 {
     if (!body.drive) return false;
@@ -278,9 +278,9 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
                                  std::abs(v_last.dot(c.normal))) <= contact.negligible;
         }
     }
-    // In the contact stage, bodies stick to the velocity that the surface of a turning body has at
-    // the end of the step. So the slip of a contact that sticks to such a body is no error of the
-    // last step.
+    // In the contact stage, a contact sticks to the velocity that the surface of a turning driven
+    // body has at the end of the step. So the slip of such a contact is no error of the last step,
+    // and an island on such bodies is solved again only if all contacts slide.
     const bool loads_change = any_shift && all_slide && all_stay && held.size() > 1;
     const bool is_solved_again =
         any_turning_drive ? loads_change && !middle.has_curve : middle.has_curve;

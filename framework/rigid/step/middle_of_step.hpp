@@ -21,7 +21,7 @@ struct HeldContact {
     // velocities at the start and with those after the contact stage; this is the larger of both
     // changes.
     double change = 0;
-    double negligible = 0; // a speed at this contact that counts as 0 [m/s]
+    double negligible = 0; // the highest speed at this contact that counts as 0 [m/s]
 };
 
 /// The contacts of an island that got an impulse, grouped by pairs of bodies, and its bodies by
@@ -42,8 +42,8 @@ struct MiddleOfStep {
 /// methods `one_at_a_time` and `shock_propagation`, all islands are left out.
 ///
 /// Also computes it for an island that slides over driven bodies that turn about fixed axes at
-/// constant velocities, if the contacts move along a body of the island, because its loads on them
-/// change then. All contacts have to slide, stay closed, and move along straight lines.
+/// constant velocities, if a contact moves along a body of the island, because the loads on the
+/// contacts change then. All contacts have to slide, stay closed, and move along straight lines.
 ///
 /// @param first    the bodies after the collision stage, before the forces
 /// @param problem  after the contact stage

@@ -23,11 +23,11 @@ namespace rigor {
 namespace {
 
 // v·n of a contact changes by `HeldContact::change` from the start to the middle of a step. If the
-// last step was solved with the contacts of its start, it has left a v·n of twice this change, and
-// where contacts stick also a slip of twice its own change. If v·n is larger than its change times
-// `most_changes`, the contact has just been hit. If the slip is larger than its change times
-// `most_changes`, the contact has just begun to stick. Chosen by trial between 2 and 4;
-// tests/classics has bodies that roll.
+// last step was solved with the contacts of its start, it has left a v·n of twice this change. At a
+// contact that sticks, it has also left a slip of twice the change of the slip. If v·n is larger
+// than its change times `most_changes`, the contact has just been hit. If the slip is larger than
+// its change times `most_changes`, the contact has just begun to stick. Chosen by trial between 2
+// and 4; tests/classics has bodies that roll.
 constexpr double most_changes = 3;
 // A v·n below this share of the speed that the forces add in a step is no hit either. Where a body
 // reverses its motion, v·n hardly changes from the start to the middle of the step, but the error

@@ -9,8 +9,9 @@ namespace rigor {
 
 enum class MidpointResult {
     solved,    ///< the island was solved again
-    not_tried, ///< there is no `middle_of_step`, or another contact would close
-    refused,   ///< a contact on a curve has just closed, or has just begun to stick
+    not_tried, ///< there is no `middle_of_step`, or another contact would close, or no contact
+               ///< moves along a curve but one has just closed, or has just begun to stick
+    refused,   ///< a contact moves along a curve, and one has just closed or begun to stick
 };
 
 /// Solves the contact stage of an island a second time, with the contacts in the middle of the

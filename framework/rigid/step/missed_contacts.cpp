@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Looks for contacts that a step has missed. The search for contacts covers the motion of free
-// flight and, around it, a margin for each body (contact_candidates.hpp). So only bodies that end
-// farther from their free flight than their margin can meet something else. Each of them is tested
-// against the swept bounds of all other bodies, and where these overlap, the contacts of the two
-// bodies are tested. A body that turns far may also pass through a contact that was found; its
-// center is then on the other side.
+// flight and, around it, a margin for each body (contact_candidates.hpp). So only a body that ends
+// farther from its free flight than its margin can meet a body that the search left out. Each such
+// body is tested against the swept bounds of all other bodies, and where these overlap, the
+// contacts of the two bodies are tested. A body that turns far may also pass through a contact that
+// was found; its center is then on the other side.
 #include "rigid/step/missed_contacts.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
@@ -26,6 +26,7 @@ struct Path {
     double radius = 0;                 // largest distance from X to a point of the body [m]
     Bounds swept;                      // bounds of the body over the step
 
+    // A bound of how far a point of the body moves [m]. Rotation moves it by at most 2 radii.
     double length() const { return moved.norm() + radius * std::min(angle, 2.0); }
 
     // A lower bound of the distance by which the body recedes along n from another body [m]. `gap`
@@ -161,9 +162,9 @@ private:
     }
 
     // Whether the problem has a contact of the pair on the same side, which keeps the bodies apart
-    // on this side. A body that is a whole room has other sides. A contact of two balls with
-    // `passes_by` does not count, because it is correct only if the balls fly past each other as in
-    // free flight.
+    // on this side. (A body that is a whole room also has walls on other sides.) A contact of two
+    // balls with `passes_by` does not count, because it is correct only if the balls fly past each
+    // other as in free flight.
     bool is_in_problem(const BodyPair& pair, const Vector3d& normal) const
     {
         const bool are_balls =

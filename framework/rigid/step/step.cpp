@@ -50,8 +50,7 @@ void apply_forces(ContactProblem& problem, const World& world, const std::vector
 }
 
 // The step of a whole world is halved at most this many times in a row, so it has at most 2⁶ parts.
-// This bounds the run time of a world whose bodies fly about at high speeds, as wrong formulas may
-// make them.
+// This bounds the run time if bodies fly about at high speeds, which wrong formulas may cause.
 constexpr int most_halvings = 6;
 
 // A step, or a part of a step that was divided.
@@ -65,7 +64,7 @@ std::vector<ContactRecord> step_in_halves(World& world, double time_step, int di
     std::vector<ContactRecord> records = step_divided(world, time_step / 2, divisions + 1);
     const std::vector<ContactRecord> second = step_divided(world, time_step / 2, divisions + 1);
     records.insert(records.end(), second.begin(), second.end());
-    --world.counters.steps; // the halves do not count as steps
+    --world.counters.steps; // the two halves count as one step
     return records;
 }
 

@@ -291,7 +291,7 @@ void read_driven(BodyDraft& draft)
 
 // Reads the keys "turns_about" and "turns": the only axis about which the body can turn, or the
 // zero vector if it never turns. Refuses "filmed" beside them, and an initial angular velocity
-// about another axis.
+// about an axis that differs by more than rounding (the relative tolerance is 1e-9).
 void read_turning(BodyDraft& draft)
 {
     const Value* value = draft.axis ? draft.axis : draft.turns;

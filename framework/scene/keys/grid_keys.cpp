@@ -14,8 +14,8 @@ namespace rigor {
 
 namespace {
 
-// Random numbers with the same bits on every platform (Steele, Lea and Flood 2014, "Fast
-// splittable pseudorandom number generators").
+// Random numbers with the same bits on every platform, by SplitMix64 (Steele, Lea and Flood 2014,
+// "Fast splittable pseudorandom number generators").
 class Jitter {
 public:
     explicit Jitter(std::int64_t seed) : state_(static_cast<std::uint64_t>(seed)) {}

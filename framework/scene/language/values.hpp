@@ -15,8 +15,8 @@
 
 namespace rigor {
 
-/// Where a number must be positive, smaller numbers are refused, in whatever unit the key has: the
-/// limit guards quotients against overflow.
+/// Where a number must be positive, numbers below this are refused, in whatever unit the key has:
+/// the limit guards quotients against overflow.
 constexpr double smallest_number = 1e-12;
 
 double number(const Value& value, std::string_view what = "a number");

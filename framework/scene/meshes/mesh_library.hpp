@@ -23,7 +23,7 @@ public:
     void read_texts(const Value& value);
 
     /// The mesh of a file, read from its OBJ text in "meshes" and multiplied by `scale` along x, y
-    /// and z. With a depth, the file has an open surface, and the mesh is the solid below that
+    /// and z. If `depth` > 0, the file has an open surface, and the mesh is the solid below that
     /// surface, see geometry/meshes/terrain.hpp.
     /// @param file   the value in the scene that holds the file name
     /// @param depth  depth of the solid below an open surface [m]; 0 for a closed surface

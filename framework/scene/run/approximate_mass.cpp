@@ -51,7 +51,7 @@ CellSamples cell_samples(const std::vector<Part>& parts, int cells)
     const Vector3d extent = bounds.high - bounds.low;
     CellSamples grid;
     const double h = grid.cell_size = extent.maxCoeff() / cells;
-    const Vector3d rounding = Vector3d::Constant(1e-9);
+    const Vector3d rounding = Vector3d::Constant(1e-9); // [cells]; rounding adds no layer of cells
     const Eigen::Vector3i count = (extent / h - rounding).array().ceil().cast<int>();
     for (int i = 0; i < count.x(); ++i)
         for (int j = 0; j < count.y(); ++j)

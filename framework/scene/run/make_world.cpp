@@ -55,8 +55,8 @@ Deformable make_solid(const SolidDescription& described)
     return solid;
 }
 
-// The initial angular velocity ω of a body. The scene contains it, or the orientations at the start
-// and shortly later, from which it is computed.
+// The initial angular velocity ω of a body. The scene contains either ω or the orientations at the
+// start and a short time later, from which ω is computed.
 Vector3d angular_velocity_of(const BodyDescription& body)
 {
     if (!body.later) return body.angular_velocity;

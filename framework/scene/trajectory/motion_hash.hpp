@@ -5,12 +5,12 @@
 // Within one program the bits of a motion depend on the scene alone: not on a clock, an address,
 // the order of a hash map or the number of threads. Between two builds of the same sources, IEEE
 // doubles and -ffp-contract=off -fno-fast-math make + - * / and the square root round the same
-// everywhere, and without -march Eigen adds in the same order. The functions of the C library (sin,
-// cos, atan2, ...) remain: they are not correctly rounded, they differ between versions of the
-// library and between processors with and without fused multiply-add, and gcc inserts the correctly
-// rounded value where it knows the argument at compile time. So with other compilers and libraries
-// the last bit may differ. A stored hash would be valid for only one compiler and library,
-// therefore no hash is stored.
+// everywhere, and without -march Eigen adds in the same order. Only the functions of the C library,
+// such as sin and atan2, may differ: they are not correctly rounded, they differ between library
+// versions and between processors with and without fused multiply-add, and gcc inserts the
+// correctly rounded value where it knows the argument at compile time. So with other compilers and
+// libraries the last bit may differ. No hash is stored, because a stored hash would be valid for
+// only one compiler and library.
 #pragma once
 
 #include "scene/trajectory/trajectory.hpp"

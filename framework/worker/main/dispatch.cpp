@@ -24,7 +24,7 @@ template <class Test> Judgement judgement(const Test& test)
 }
 
 // Fills the memory behind the list of a level set with NaN. So a formula that reads a node beyond
-// the last one, even with the weight 0, gets no finite result. Other memory might hide the mistake.
+// the last one, even with the weight 0, gets no finite result. Other values might hide the mistake.
 template <class T> void guard_end(T& argument)
 {
     if constexpr (std::is_same_v<T, LevelSet>) {

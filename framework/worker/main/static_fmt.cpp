@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The compiled part of the library fmt, which is its source format.cc. Debian has this part in a
-// shared library only, but a worker is linked statically.
+// The compiled part of the library fmt: the instances of templates that its file format.cc has.
+// Debian has this part in a shared library only, but a worker is linked statically.
 #include <fmt/format-inl.h>
 
 namespace fmt {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shares the load of a body evenly among its supports. The normal impulses of the contacts are
-// fitted by a linear function of the position, by the method of least squares. The residual of such
-// a fit has no sum and no moment, so it can be removed without any effect on the body's motion.
+// fitted by a linear function of the position, by the method of least squares. The residuals of
+// such a fit have the sum 0 and the moment 0, so the body moves in the same way without them.
 #include "rigid/contact/solvers/shared_loads.hpp"
 
 #include <Eigen/QR>
@@ -12,12 +12,12 @@ namespace rigor {
 
 namespace {
 
-// Two normals count as parallel if their difference is at most this long. It is far above the
-// rounding error of a normal, and so small that the error of the moments does not matter.
+// Two normals count as parallel if their difference is at most this long. This limit is far above
+// the rounding error of a normal, and so small that the error of the moments does not matter.
 constexpr double parallel = 1e-9;
 // With fewer contacts than this, balance determines the loads.
 constexpr std::size_t fewest_contacts = 3;
-// A change of the loads by at most this share of the largest one is rounding, and is left out.
+// A change of the loads by at most this share of the largest load is rounding, and is left out.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 // The normal of a contact, pointing to the body that can move.
@@ -37,7 +37,7 @@ bool is_on_turning_supports(const ContactProblem& problem, const Island& island,
     for (int i : active) {
         const ContactConstraint& c = problem.contacts[i];
         if ((normal_to(c, body) - n).norm() > parallel) return false;
-        if (c.gap > nearly_touching_gap * c.radius) return false; // it may stay without a load
+        if (c.gap > nearly_touching_gap * c.radius) return false; // it may carry no load
         const Body& support = problem.bodies[c.body1 == body ? c.body2 : c.body1];
         any_turns |= !support.angular_velocity.isZero(0);
     }

@@ -21,9 +21,9 @@ namespace rigor {
 /// The boxes may be apart along this axis now but overlap along it at the end of the step. If
 /// another face separates them now and they would overlap less along its normal, this other face is
 /// used instead. So a box that slides over the joint between two others stays on top of them and
-/// does not run into the side of the second one. The boxes may also not face each other now but
-/// overlap at the end of the step, as boxes that meet edge to edge. Then the face is extended by
-/// the displacement of the other box.
+/// does not run into the side of the second one. Boxes that will meet edge to edge may not face
+/// each other now, although they overlap at the end of the step. Then the face is extended by the
+/// displacement of the other box.
 ///
 /// @param move  displacement of box 1 relative to box 2 in this step, without forces or contacts
 ///              [m]

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Finds the contacts of two convex shapes. First the code finds their closest points or, if they
-// overlap, the shortest move that separates them; this gives the contact normal. Then it projects
-// along the normal the features (a point, a segment or a face) that both shapes turn to each other,
-// and clips one against the other (Sutherland and Hodgman 1974). Each corner of the result is a
-// contact with its own gap.
+// overlap, the shortest move that separates them; this gives the contact normal. Then the features
+// (a point, a segment or a face) that both shapes turn to each other are projected along the
+// normal, and one is clipped against the other (Sutherland and Hodgman 1974). Each corner of the
+// result is a contact with its own gap.
 #include "rigid/detection/shapes/convex_contact.hpp"
 
 #include "geometry/distance/separation.hpp"

@@ -26,7 +26,7 @@ namespace {
 // beside this sample. A minimum in an interval narrower than the spacing may be missed. More
 // samples take more time; the numbers were chosen by trial.
 constexpr int segment_samples = 17, circle_samples = 48;
-constexpr int golden_steps = 42; // they shorten an interval to 0.618⁴² = 2e-9 of its length
+constexpr int golden_steps = 42; // 42 steps shorten an interval to 0.618⁴² = 2e-9 of its length
 // A minimum between two samples becomes one more contact only if its gap is smaller than the gap at
 // the sample by more than this fraction of the core's length. A smaller difference may be an
 // error of the search.
@@ -116,7 +116,7 @@ public:
             least = std::min(least, gaps.back());
         }
         // Between two samples, the gap is smaller than at the nearer sample by at most half the
-        // distance between the samples.
+        // distance between the samples. The test allows for about twice this.
         if (least - core_.meters() / n - field_.uncertainty() >= reach_) return;
         const std::size_t first = contacts_.size();
         const bool is_ring = core_.is_closed;

@@ -15,12 +15,12 @@ namespace {
 
 // Sine of the smallest angle at which two edges make a contact; the angle is about 3°. At smaller
 // angles, the end points of the edges make the contacts instead, because the closest points of
-// almost parallel lines move far if a body rotates a little. Chosen by trial.
+// almost parallel lines move far if a body rotates a little. The angle was chosen by trial.
 constexpr double parallel = 0.05;
 constexpr double rounding = 1e-6; // relative rounding error of a direction
 // Deepest overlap at which two edges make a contact, relative to the longest side of the bounds of
 // the mesh's edges. Deeper overlaps are left to the surface points, where the level set gives the
-// nearest way out. Chosen by trial.
+// nearest way out. The share was chosen by trial.
 constexpr double deepest_share = 0.05;
 
 std::vector<SharpEdge> box_edges(const Box& box)

@@ -7,8 +7,8 @@
 
 namespace rigor {
 
-/// Appends the contacts of a shape with a plane, exactly. These are the contacts at the following
-/// points, if they are closer to the plane than `reach`: the vertices of a box, at most eight
+/// Appends the contacts of a shape with a plane, computed in closed form. The following points are
+/// contacts if they are closer to the plane than `reach`: the vertices of a box, at most eight
 /// vertices of a mesh, the lowest point of each end of a capsule, the lowest point of a sphere or
 /// an ellipsoid, and the tip of a cone. The rim of a cylinder or a cone, and a torus, have eight
 /// fixed points if they are parallel to the plane. Otherwise they have the lowest point and the

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Finds the contacts of a convex shape with the shape to which a distance field belongs. From
-// points spread over the surface, an iteration goes to the point of the surface that lies farthest
-// against the field's gradient, until the gradient there no longer changes. The points where the
-// iterations end are local minima of the field on the surface. Each of them that is close enough is
-// a contact.
+// Finds the contacts of a convex shape with the shape to which a distance field belongs. Iterations
+// start from points spread over the surface. Each step goes to the point of the surface that lies
+// farthest in the direction opposite to the field's gradient, until this direction no longer
+// changes. The points where the iterations end are local minima of the field on the surface. Those
+// that are close enough are contacts.
 #include "rigid/detection/shapes/smooth_contact.hpp"
 
 #include "geometry/distance/support.hpp"
@@ -21,8 +21,7 @@ constexpr int most_steps = 4;  // largest number of steps of an iteration
 // An iteration has converged if 1 - cosine of the angle between its last two gradients is below
 // this value.
 constexpr double converged = 1e-12;
-constexpr double zero_length = 1e-9; // a sum of parts of unit vectors that is shorter is only a
-                                     // rounding error
+constexpr double zero_length = 1e-9; // a shorter sum of parts of unit vectors is a rounding error
 
 // At a point p of the surface of a convex shape, the outward normal that is closest to the
 // direction d. (At an edge or a corner there are several outward normals.)

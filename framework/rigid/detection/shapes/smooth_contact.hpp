@@ -10,7 +10,7 @@ namespace rigor {
 
 /// Smallest cosine of the angle between a contact normal and the gradient of the other shape's
 /// distance; the largest angle is 73°. At a larger angle, a point belongs to the far side of the
-/// shape or of a thin wall. Chosen by trial.
+/// shape or of a thin wall. The angle was chosen by trial.
 inline constexpr double least_opposition = 0.3;
 
 /// Appends the contacts where the surface of a convex shape is closer than `reach` to the shape to
