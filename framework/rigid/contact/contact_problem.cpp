@@ -32,11 +32,12 @@ double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 // The bodies of an island that touch a driven body: their mean velocity, and the mean normal of
 // their contacts. A body with several contacts counts once for each of its contacts.
 struct Touching {
-    Vector3d velocity = Vector3d::Zero(); // [m/s]
+    Vector3d velocity = Vector3d::Zero(); // without the part of v₁ - v₂ along the normal [m/s]
     Vector3d normal = Vector3d::Zero();   // unit, away from the driven body; or zero: no normal
 };
 
-Touching touching(const ContactProblem& problem, const Island& island, int driven)
+Touching touching(const ContactProblem& problem, std::span<const Body> first, const Island& island,
+                  int driven)
 {
     Touching mean;
     int count = 0;
@@ -45,8 +46,10 @@ Touching touching(const ContactProblem& problem, const Island& island, int drive
             const ContactConstraint& c = problem.contacts[i];
             if (c.body1 != driven && c.body2 != driven) continue;
             const bool is_first = c.body1 == driven;
-            mean.velocity += problem.bodies[is_first ? c.body2 : c.body1].velocity;
-            mean.normal += is_first ? Vector3d(-c.normal) : c.normal;
+            const double v_n = problem.velocity_between(first, c, c.point).dot(c.normal);
+            const Vector3d n = is_first ? Vector3d(-c.normal) : c.normal;
+            mean.velocity += first[is_first ? c.body2 : c.body1].velocity - v_n * n;
+            mean.normal += n;
             ++count;
         }
     if (count > 0) mean.velocity /= count;
@@ -167,6 +170,18 @@ bool ContactProblem::holds(const ContactConstraint& c) const
     return c.normal_K * c.contact_impulse.norm() > rounding || !std::isfinite(rounding);
 }
 
+double ContactProblem::bend_of_drives(const ContactConstraint& c) const
+{
+    double bend = 0;
+    for (const int i : {c.body1, c.body2}) {
+        const Body& body = bodies[i];
+        if (!body.is_static()) continue;
+        const double turn = time_step * body.angular_velocity.norm();
+        bend += turn * turn * (c.point - body.position).norm() / 2;
+    }
+    return bend;
+}
+
 Matrix3d ContactProblem::impulse_matrix_at(const ContactConstraint& c, const Vector3d& x) const
 {
     Matrix3d K = Matrix3d::Zero();
@@ -186,10 +201,10 @@ void ContactProblem::set_impulse_matrix(ContactConstraint& c) const
     c.tangential_K = tangential_eigenvalue(c.K, c.normal);
 }
 
-void ContactProblem::set_drives(const Island& island)
+void ContactProblem::set_drives(const Island& island, std::span<const Body> first)
 {
     for (const auto& [body, mean, last] : driven) {
-        const auto [V, n] = touching(*this, island, body);
+        const auto [V, n] = touching(*this, first, island, body);
         if (n.isZero(0)) continue;
         const Vector3d carried = time_step * mean.angular.cross(V - last.linear);
         const Vector3d along = last.linear + carried - mean.linear;

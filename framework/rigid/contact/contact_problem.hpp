@@ -154,6 +154,10 @@ struct ContactProblem {
     /// by a rounding error does not count. Such impulses arise for example between bodies that fly
     /// side by side after a collision.
     bool holds(const ContactConstraint& contact) const;
+    /// A bound of the distance by which the point of a driven body that turns leaves its tangent in
+    /// this step. At the angular velocity ω, a point at the distance r from the axis leaves it by
+    /// (1 - cos h ω) r ≤ (h ω)² r/2 [m].
+    double bend_of_drives(const ContactConstraint& contact) const;
     /// K₁ + K₂ at a point [1/kg].
     Matrix3d impulse_matrix_at(const ContactConstraint& contact, const Vector3d& x) const;
     /// Computes K, `normal_K` and `tangential_K` of a contact.
@@ -164,7 +168,9 @@ struct ContactProblem {
     /// step, ω its mean angular velocity, h the time step, and V the mean velocity of the bodies
     /// that touch it. The reason: in the step, the contact points move over its surface by
     /// h (V - V_d), so the velocity of the surface at these points changes by h ω × (V - V_d).
-    void set_drives(const Island& island);
+    /// @param first  the bodies before the forces. The velocities after the forces would be wrong
+    ///               here, because contacts have not yet stopped the fall of a body at rest.
+    void set_drives(const Island& island, std::span<const Body> first);
     /// Gives all driven bodies their mean velocities again.
     void reset_drives();
     /// Applies the impulse j at x to body 1 and -j at x to body 2 [N s].

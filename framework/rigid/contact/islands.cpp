@@ -87,7 +87,7 @@ std::vector<Island> islands_of(const World& world, const ContactProblem& problem
         islands[island].pairs.push_back(pair);
         for (int i = pair.first; i < pair.last && !is_active[island]; ++i) {
             const ContactConstraint& c = problem.contacts[i];
-            is_active[island] = problem.predicted_gap(c, c.free_speed) < 0;
+            is_active[island] = problem.predicted_gap(c, c.free_speed) < problem.bend_of_drives(c);
         }
     }
     for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)

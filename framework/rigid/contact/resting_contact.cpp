@@ -86,10 +86,10 @@ void resolve(ContactProblem& problem, const Island& island)
 
 } // namespace
 
-void process_contact(ContactProblem& problem)
+void process_contact(ContactProblem& problem, std::span<const Body> first)
 {
     for (const Island& island : problem.islands) {
-        problem.set_drives(island);
+        problem.set_drives(island, first);
         resolve(problem, island);
     }
     problem.reset_drives();

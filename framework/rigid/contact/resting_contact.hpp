@@ -17,6 +17,8 @@ namespace rigor {
 /// In a world without gravity, a target speed above 0 corrects penetration, which adds energy. An
 /// island is corrected in this step only if its contacts take away at least as much energy, or if
 /// its bodies hardly move relative to each other. Otherwise the correction waits for a later step.
-void process_contact(ContactProblem& problem);
+///
+/// @param first  the bodies after the collision stage, before the forces
+void process_contact(ContactProblem& problem, std::span<const Body> first);
 
 } // namespace rigor

@@ -76,23 +76,50 @@ double speed_at(const Contact& c, const Body& body1, const Body& body2)
            body2.angular_velocity.norm() * (c.point - body2.position).norm();
 }
 
-// The contacts of the island that got an impulse. The list is empty if each of them moves by at
-// most `least_change` times its radius in this step, because then its path is practically straight.
-std::vector<HeldContact> held_contacts(const ContactProblem& problem, const Island& island,
-                                       const std::vector<Body>& first)
+// Whether a contact touches a driven body that turns.
+bool touches_a_turning_drive(const World& world, const ContactConstraint& c)
 {
+    const auto turns = [&](int i) {
+        const auto& drive = world.bodies[i].drive;
+        return drive && !drive->angular_velocity.isZero(0);
+    };
+    return turns(c.body1) || turns(c.body2);
+}
+
+// Whether a contact slides: its friction is at the limit, up to rounding.
+bool slides(const ContactConstraint& c)
+{
+    constexpr double rounding = 1e-9;
+    const double j_n = c.contact_impulse.dot(c.normal);
+    const double j_T = (c.contact_impulse - j_n * c.normal).norm();
+    return j_T >= (1 - rounding) * c.friction * j_n;
+}
+
+// The contacts of the island that got an impulse, and those that a driven body that turns may close
+// within the step. The list is empty if each of them moves by at most `least_change` times its
+// radius in this step, because then its path is practically straight.
+std::vector<HeldContact> held_contacts(const World& world, const ContactProblem& problem,
+                                       const Island& island, const std::vector<Body>& first)
+{
+    const auto may_close = [&](const ContactConstraint& c) {
+        return touches_a_turning_drive(world, c) &&
+               c.gap <= nearly_touching_gap * c.radius + problem.bend_of_drives(c);
+    };
     std::vector<HeldContact> held;
     bool any_moves = false;
     for (const ContactPair& pair : island.pairs)
         for (int i = pair.first; i < pair.last; ++i) {
             const ContactConstraint& c = problem.contacts[i];
-            if (!problem.holds(c)) continue;
+            const bool has_impulse = problem.holds(c);
+            if (!has_impulse && !may_close(c)) continue;
             const double speed = speed_at(c, first[c.body1], first[c.body2]);
             any_moves |= problem.time_step * speed > least_change * c.radius;
             HeldContact& contact = held.emplace_back();
             contact.index = i;
             contact.v_start = velocity_at(c, first[c.body1], first[c.body2]);
             contact.negligible = least_change * speed + problem.rounding_speed(c);
+            contact.has_impulse = has_impulse;
+            contact.slides = slides(c);
         }
     if (!any_moves) held.clear();
     return held;
@@ -152,8 +179,9 @@ bool take_nearest(const Vector3d& point, const Vector3d& normal, double reach,
 }
 
 // Sets `middle` of the held contacts of one pair of bodies to the contacts that are found in the
-// middle of the step.
-// @return whether each contact was found again
+// middle of the step. A contact without an impulse that is not closer then than at the start gets
+// the index -1.
+// @return whether each contact with an impulse was found again
 bool find_middle(const World& world, const ContactProblem& problem, const std::vector<Body>& first,
                  const std::vector<Pose>& poses, std::span<HeldContact> contacts)
 {
@@ -173,28 +201,13 @@ bool find_middle(const World& world, const ContactProblem& problem, const std::v
         const ContactConstraint& c = problem.contacts[contact.index];
         const Vector3d v1 = body1.velocity + body1.angular_velocity.cross(c.point - body1.position);
         const Vector3d carried = c.point + h / 2 * (v1 - contact.v_start / 2);
-        if (!take_nearest(carried, c.normal, reach, found, contact.middle)) return false;
+        const bool is_found = take_nearest(carried, c.normal, reach, found, contact.middle);
+        if (!is_found && contact.has_impulse) return false;
+        const double closer = c.gap - contact.middle.gap;
+        if (!contact.has_impulse && !(is_found && closer > touching_gap * c.radius))
+            contact.index = -1;
     }
     return true;
-}
-
-// Whether a contact touches a driven body that turns.
-bool touches_a_turning_drive(const World& world, const ContactConstraint& c)
-{
-    const auto turns = [&](int i) {
-        const auto& drive = world.bodies[i].drive;
-        return drive && !drive->angular_velocity.isZero(0);
-    };
-    return turns(c.body1) || turns(c.body2);
-}
-
-// Whether a contact slides: its friction is at the limit, up to rounding.
-bool slides(const ContactConstraint& c)
-{
-    constexpr double rounding = 1e-9;
-    const double j_n = c.contact_impulse.dot(c.normal);
-    const double j_T = (c.contact_impulse - j_n * c.normal).norm();
-    return j_T >= (1 - rounding) * c.friction * j_n;
 }
 
 // Whether a contact moves along one of the bodies of the island from the start to the middle of the
@@ -232,7 +245,7 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
 {
     if (!is_suitable(world, problem, island)) return std::nullopt;
     MiddleOfStep middle;
-    std::vector<HeldContact>& held = middle.contacts = held_contacts(problem, island, first);
+    std::vector<HeldContact>& held = middle.contacts = held_contacts(world, problem, island, first);
     if (held.empty()) return std::nullopt;
     middle.bodies = moved_to_the_middle(world, problem, island, first, poses);
 
@@ -261,6 +274,7 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
         const Body &first1 = starting(pair.first), &first2 = starting(pair.second);
         const Body last1 = ending(pair.first), last2 = ending(pair.second);
         for (HeldContact& contact : std::span(begin, end)) {
+            if (contact.index < 0) continue;
             const ContactConstraint& c = problem.contacts[contact.index];
             const Vector3d& n = contact.middle.normal;
             contact.v_middle = velocity_at(contact.middle, first1, first2);
@@ -273,17 +287,15 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
             middle.has_curve |= contact.change > contact.negligible;
             any_shift |= moves_along_a_body(c, contact.middle, world, poses, middle.bodies);
             any_turning_drive |= touches_a_turning_drive(world, c);
-            all_slide &= slides(c) && slip(contact.v_start, c.normal).norm() > contact.negligible;
+            all_slide &=
+                contact.slides && slip(contact.v_start, c.normal).norm() > contact.negligible;
             all_stay &= std::max(std::abs(contact.v_start.dot(c.normal)),
                                  std::abs(v_last.dot(c.normal))) <= contact.negligible;
         }
     }
-    // In the contact stage, a contact sticks to the velocity that the surface of a turning driven
-    // body has at the end of the step. So the slip of such a contact is no error of the last step,
-    // and an island on such bodies is solved again only if all contacts slide.
+    std::erase_if(held, [](const HeldContact& contact) { return contact.index < 0; });
     const bool loads_change = any_shift && all_slide && all_stay && held.size() > 1;
-    const bool is_solved_again =
-        any_turning_drive ? loads_change && !middle.has_curve : middle.has_curve;
+    const bool is_solved_again = middle.has_curve || (any_turning_drive && loads_change);
     return is_solved_again ? std::optional(middle) : std::nullopt;
 }
 

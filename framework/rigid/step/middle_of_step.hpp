@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// A contact that got an impulse in the contact stage, at the start and in the middle of the step.
+/// A contact that holds bodies apart in this step, at the start and in the middle of the step.
 struct HeldContact {
     int index = 0;       // index in `ContactProblem::contacts`
     Contact middle = {}; // the same contact in the middle of the step
@@ -22,11 +22,15 @@ struct HeldContact {
     // changes.
     double change = 0;
     double negligible = 0; // the highest speed at this contact that counts as 0 [m/s]
+    // Whether the contact stage gave it an impulse. If not, a driven body that turns closes the
+    // contact within the step.
+    bool has_impulse = false;
+    bool slides = false; // whether its friction in the contact stage is at the limit
 };
 
-/// The contacts of an island that got an impulse, grouped by pairs of bodies, and its bodies by
-/// their indices in the world. The bodies have their poses in the middle of the step, but their
-/// velocities and angular momenta at the start.
+/// The contacts of an island that count in the middle of the step, grouped by pairs of bodies, and
+/// its bodies by their indices in the world. The bodies have their poses in the middle of the step,
+/// but their velocities and angular momenta at the start.
 struct MiddleOfStep {
     std::vector<HeldContact> contacts;
     std::map<int, Body> bodies;
@@ -35,15 +39,16 @@ struct MiddleOfStep {
     bool has_curve = false;
 };
 
-/// Computes the middle of the step for an island whose contacts with an impulse move along a curve.
-/// These islands are left out: large ones (more than `few_bodies` bodies or 32 contacts), those
-/// that touch no static body, those that have or touch a mesh, and those that touch a belt or a
-/// driven body, unless this body moves along a line at a constant velocity. With the contact
-/// methods `one_at_a_time` and `shock_propagation`, all islands are left out.
+/// Computes the middle of the step for an island whose contacts move along a curve. Contacts count
+/// if they got an impulse, or if a driven body that turns closes them within the step. These
+/// islands are left out: large ones (more than `few_bodies` bodies or 32 contacts), those that
+/// touch no static body, those that have or touch a mesh, and those that touch a belt or a driven
+/// body, unless this body moves along a line or turns about a fixed axis, at a constant velocity.
+/// With the contact methods `one_at_a_time` and `shock_propagation`, all islands are left out.
 ///
-/// Also computes it for an island that slides over driven bodies that turn about fixed axes at
-/// constant velocities, if a contact moves along a body of the island, because the loads on the
-/// contacts change then. All contacts have to slide, stay closed, and move along straight lines.
+/// Also computes it for an island that slides over such driven bodies that turn, if a contact moves
+/// along a body of the island, because the loads on the contacts change then. All contacts have to
+/// slide, stay closed, and move along straight lines.
 ///
 /// @param first    the bodies after the collision stage, before the forces
 /// @param problem  after the contact stage

@@ -52,9 +52,7 @@ std::optional<Vector3d> error_of(const ContactProblem& problem, const HeldContac
     const double hit = c.normal_K * c.collision_impulse.norm(); // change of v·n by the collision
     if (std::max(hit, std::abs(v.dot(n))) > most_changes * contact.change + least)
         return std::nullopt;
-    const Vector3d v_last = velocity_at(c, problem.bodies[c.body1], problem.bodies[c.body2]);
-    const bool sticks = slip(v_last, n).norm() <= contact.negligible;
-    if (!sticks) return v.dot(n) * n_mid;
+    if (contact.slides) return v.dot(n) * n_mid;
     const double change = contact.change + (slip(contact.v_middle, n_mid) - slip(v, n)).norm();
     if (slip(v, n).norm() > most_changes * change + least) return std::nullopt;
     return v.dot(n) * n_mid + slip(v, n_mid);

@@ -113,7 +113,7 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, int divi
     process_collisions(problem);
     const std::vector<Body> after_collisions = problem.bodies;
     apply_forces(problem, world, flown);
-    process_contact(problem);
+    process_contact(problem, after_collisions);
     const std::vector<char> by_mean =
         moves_by_mean_velocity(world, after_collisions, flown, candidates.poses, problem);
     const std::vector<Displacement> displacements = position_corrections(problem);

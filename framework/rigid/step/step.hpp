@@ -28,8 +28,8 @@
 //                       gaps
 // 4 velocities          flown states              velocities           step/step, `apply_forces`
 // 5 contact, friction   velocities, gaps          velocities, impulses contact/resting_contact
-//   set drives          drives                    velocities of drives contact/contact_problem,
-//                                                                      `set_drives`
+//   set drives          drives, velocities        velocities of drives contact/contact_problem,
+//                       before forces                                  `set_drives`
 //   choose contacts     gaps, impulse matrices    target speeds        contact/active_contacts
 //   load estimate       weights (no warm start)   initial impulses     contact/load_estimate
 //   solve               initial impulses          velocities, impulses contact/solvers/ or

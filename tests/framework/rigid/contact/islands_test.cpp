@@ -30,6 +30,7 @@ struct Case {
     {
         problem.time_step = 0.01;
         problem.settings = world.settings;
+        problem.bodies.resize(world.bodies.size());
         for (const ContactConstraint& c : {contact(1, 2, 1, -0.01), contact(0, 1, 0, -0.01),
                                            contact(0, 1, 0.1, -0.01), contact(0, 3, 0, gap)})
             problem.contacts.push_back(c);
@@ -67,4 +68,16 @@ TEST_CASE("islands: without the skip all bodies with contacts are one", "[rigid]
     const std::vector<Island> islands = islands_of(both.world, both.problem, both.pairs);
     REQUIRE(islands.size() == 1);
     CHECK(islands[0].bodies == std::vector<int>{1, 2, 3});
+}
+
+TEST_CASE("islands: one whose gap a driven body that turns may close counts", "[rigid]")
+{
+    Case one(1e-5);
+    Body& ground = one.problem.bodies[0];
+    ground.position = {0, -2, 0}; // its point below body 3 is at the distance 2 m of its center
+    CHECK(islands_of(one.world, one.problem, one.pairs).size() == 1);
+    ground.angular_velocity = {0, 0, 0.3};
+    CHECK(islands_of(one.world, one.problem, one.pairs).size() == 1);
+    ground.angular_velocity = {0, 0, 0.4}; // (0.01 · 0.4)² · 2 m/2 = 1.6e-5 m
+    CHECK(islands_of(one.world, one.problem, one.pairs).size() == 2);
 }
