@@ -64,13 +64,16 @@ bool has_rested(const World& world, const Island& island, const std::vector<bool
     });
 }
 
-// Whether a body of the island touches a driven body that moves at this time.
+// Whether a body of the island touches a driven body that moves at this time, or a belt that may
+// still move later. (A belt that starts would not wake a sleeping body, since it keeps its pose.)
 bool is_driven(const World& world, const ContactProblem& problem, const Island& island)
 {
     if (problem.driven.empty()) return false;
     const auto moves = [&](int i) {
-        if (!world.bodies[i].drive) return false;
-        const auto [V, w] = drive_velocity(*world.bodies[i].drive, world.time);
+        const auto& drive = world.bodies[i].drive;
+        if (!drive) return false;
+        if (drive->is_belt && world.time < drive->end) return true;
+        const auto [V, w] = drive_velocity(*drive, world.time);
         return !V.isZero(0) || !w.isZero(0);
     };
     return std::any_of(island.pairs.begin(), island.pairs.end(), [&](const ContactPair& pair) {

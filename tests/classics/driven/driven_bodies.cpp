@@ -244,6 +244,27 @@ TEST_CASE("classics: what sleeps on a table wakes when the table sets out", "[cl
     }
 }
 
+TEST_CASE("classics: a belt that sets out takes along what lies on it", "[classics]")
+{
+    const double v = 0.5, mu = 0.3, starts = 2, stops = 4;
+    for (const double h : {1 / 60., 1 / 240.}) {
+        CAPTURE(h);
+        Drive drive = moving({v, 0, 0});
+        drive.is_belt = true;
+        drive.start = starts;
+        drive.end = stops;
+        RigidBody block = body_of(Box{{0.2, 0.1, 0.2}}, {0, 0.05, 0}, {0, mu});
+        World world = solved({driven(table, {0, mu}, under, drive), block});
+        run(world, static_cast<int>(std::lround(3 / h)), h);
+        CHECK_THAT(world.bodies[1].state.velocity.x(), IsClose(v, Order(1e-6)));
+        run(world, static_cast<int>(std::lround(3 / h)), h);
+        // The block slides until it is as fast as the belt, and again until it rests.
+        CHECK_THAT(world.bodies[1].state.position.x(),
+                   IsClose(v * (stops - starts), Order(2 * v * h)));
+        CHECK(world.bodies[1].rest.is_asleep());
+    }
+}
+
 TEST_CASE("classics: a paddle that comes adds twice its speed to a ball", "[classics]")
 {
     for (const double u : {-1., 0.5, 4.})
