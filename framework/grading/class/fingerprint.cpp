@@ -68,7 +68,8 @@ std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run)
     hash = hash_of_file(places().program("confine"), hash);
     hash = hash_of_folder(places().source / "framework/formulas", {".hpp"}, hash);
     hash = hash_of_folder(places().source / "student", {".cpp", ".hpp", ".h"}, hash);
-    return hash_of_folder(places().assignments(), {".json", ".obj", ".msh", ".mesh"}, hash);
+    return hash_of_folder(places().assignments(),
+                          {".json", ".obj", ".off", ".stl", ".msh", ".mesh"}, hash);
 }
 
 bool is_of_the_same_tests(const std::string& fingerprint, std::uint64_t all_but_the_submission)

@@ -157,7 +157,10 @@ struct Running {
 WorkDone report_of(const Running& ended, bool is_late, std::chrono::duration<double> longest)
 {
     if (is_late)
-        return {ended.index, {}, fmt::format("it took more than {:.3g} s", longest.count())};
+        return {ended.index,
+                {},
+                fmt::format("it took more than {:.3g} s", longest.count()),
+                ended.is_second_try};
     const std::optional<std::string> text = ended.process->text();
     return {ended.index, text, text ? "" : ended.process->fault(), ended.is_second_try};
 }

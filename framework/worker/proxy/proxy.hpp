@@ -90,6 +90,8 @@ template <class Call> auto by_reference(const Call& call)
                             failure.cause == WorkerFailure::timed_out);
     } catch (const NotFinite& failure) {
         throw OracleFailure(std::string("the reference: ") + failure.what());
+    } catch (const FormulaMissing& failure) {
+        throw OracleFailure(std::string("the reference: ") + failure.what());
     } catch (const NotImplemented& failure) {
         throw OracleFailure(std::string("the reference: not implemented: ") + failure.what());
     }
