@@ -99,6 +99,23 @@ TEST_CASE("contact: the first sweep where the normal leans a little", "[A5.5][co
     }
 }
 
+TEST_CASE("contact: the first sweep where the tangential eigenvalues are nearly equal",
+          "[A5.5][contact]")
+{
+    for (Random random : seeds(5))
+        for (int power = -1; power >= -50; --power)
+            for_each_axis([&](const Vector3d& n, const Vector3d& t, const Vector3d& b) {
+                CAPTURE(n, power);
+                SingleContact contact = random_contact(random);
+                contact.x = -0.75 * n;
+                const Vector3d moments = Vector3d::Ones() + std::ldexp(1, power) * t.cwiseAbs();
+                contact.body.inverse_inertia = moments.asDiagonal();
+                contact.body.angular_velocity =
+                    contact.body.inverse_inertia * contact.body.angular_momentum;
+                check_first_sweep(contact, n, t, b, 10, {0, 0, 0});
+            });
+}
+
 TEST_CASE("contact: without friction no tangential impulse is left of the start", "[A5.5][contact]")
 {
     for (Random random : seeds(20)) {

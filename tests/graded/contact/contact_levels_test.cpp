@@ -243,6 +243,25 @@ TEST_CASE("contact: a stack of a hundred thousand bodies", "[A5.3][contact]")
     REQUIRE_THAT(contact_levels(downwards, is_static), IsExactly(from_the_top));
 }
 
+TEST_CASE("contact: any member of a long ring may rest on a stack", "[A5.3][contact]")
+{
+    constexpr int height = 7; // body 0 is the ground, bodies 1 to 7 are the stack
+    for (const int n : {100, 2000, 70000})
+        for (const int member : {0, 1, n / 3, n / 2, n - 2, n - 1}) {
+            CAPTURE(n, member);
+            Edges edges(height + n + 1);
+            Levels levels(height + n + 1, height + 1);
+            for (int i = 0; i <= height; ++i) {
+                if (i > 0) edges[i] = {i - 1};
+                levels[i] = i;
+            }
+            for (int i = 0; i < n; ++i)
+                edges[height + 1 + i] = {height + 1 + (i + 1) % n};
+            edges[height + 1 + member].push_back(height);
+            REQUIRE_THAT(contact_levels(edges, on_the_ground(edges.size())), IsExactly(levels));
+        }
+}
+
 TEST_CASE("contact: a ring of a hundred thousand bodies is one cycle", "[A5.3][contact]")
 {
     constexpr int n = 100000;

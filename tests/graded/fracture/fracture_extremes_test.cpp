@@ -107,6 +107,25 @@ TEST_CASE("fracture: along faces a mesh with many vertices", "[A7.5][fracture]")
     }
 }
 
+TEST_CASE("fracture: along faces a small mesh far from the origin", "[A7.5][fracture]")
+{
+    const TetrahedralMesh blocks = block(2, 1, 1);
+    TetrahedralMesh near = blocks;
+    for (Vector3d& x : near.vertices) // a parallelepiped, with exact coordinates
+        x = x + Vector3d(x.y() / 4 + x.z() / 8, x.z() / 4 + x.x() / 8, x.x() / 4 + x.y() / 8);
+    for (int power = 0; power <= 48; power += 2) {
+        CAPTURE(power);
+        TetrahedralMesh far = near;
+        for (Vector3d& x : far.vertices) // exact
+            x += std::ldexp(1, power) * Vector3d(1.25, -0.75, 1.5);
+        const SplitMesh result = split_along_faces(
+            far, faces_where(blocks, [](const Vector3d& x) { return x.x() == 1; }));
+        check_count(vertex_count(result.mesh), 12 + 4, "vertices");
+        for (std::size_t t = 0; t < result.mesh.tetrahedra.size(); ++t)
+            REQUIRE_THAT(volume(result.mesh, t), IsClose(volume(far, t), Rounding(16, 1)));
+    }
+}
+
 TEST_CASE("fracture: through elements a mesh with many vertices", "[A7.6][fracture]")
 {
     const SplitMesh small = split_element(octahedron(), 0, diagonal),

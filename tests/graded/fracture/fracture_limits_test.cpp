@@ -75,6 +75,35 @@ TEST_CASE("fracture: the nearest face of flat and of tiny tetrahedra", "[A7.4][f
     }
 }
 
+TEST_CASE("fracture: the foot of a needle is a face like any other", "[A7.4][fracture]")
+{
+    // The normal of the foot is z. Of the long faces, two have the normals x and y.
+    for (Random random : seeds(10)) {
+        const Matrix3d R = random.rotation();
+        for (const double width : {1e-3, 1e-5, 1e-7, 1e-9})
+            for (int tip = 0; tip < 4; ++tip) {
+                CAPTURE(width, tip);
+                std::array<Vector3d, 4> needle;
+                const int a = (tip + 1) % 4, b = (tip + 2) % 4, c = (tip + 3) % 4;
+                needle[tip] = R * Vector3d(0, 0, 1);
+                needle[a] = Vector3d(0, 0, 0);
+                needle[b] = R * Vector3d(0, width, 0);
+                needle[c] = R * Vector3d(width, 0, 0);
+                const auto nearest = [&](const Vector3d& n) {
+                    return closest_face(needle, R * n.normalized());
+                };
+                const double more = 1 + 1e-13 / width; // the corners are rounded at 1e-16
+                REQUIRE_THAT(nearest({1, 0, more}), IsExactly(tip));
+                REQUIRE_THAT(nearest({more, 0, 1}), IsExactly(c));
+                REQUIRE_THAT(nearest({0.1, 0.1, 1}), IsExactly(tip));
+                REQUIRE_THAT(nearest({0.7, 0, 0.75}), IsExactly(tip));
+                REQUIRE_THAT(nearest({0, 0.7, -0.75}), IsExactly(tip));
+                REQUIRE_THAT(nearest({0.75, 0, 0.7}), IsExactly(c));
+                REQUIRE_THAT(nearest({0, 0.75, 0.7}), IsExactly(b));
+            }
+    }
+}
+
 TEST_CASE("fracture: any tension above the threshold opens a crack", "[A7.3][fracture]")
 {
     for (Random random : seeds(50)) {

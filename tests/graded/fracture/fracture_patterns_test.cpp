@@ -36,6 +36,22 @@ TEST_CASE("fracture: the largest principal stress of stresses of every structure
     }
 }
 
+TEST_CASE("fracture: the largest principal stress beside a shear of any size", "[A7.2][fracture]")
+{
+    constexpr double values[] = {-1, 0, 0.5, 1};
+    for (int i = 0; i < 64; ++i)
+        for (int axis = 0; axis < 3; ++axis)
+            for (int power = 0; power <= 50; power += 2) {
+                Matrix3d sigma =
+                    Vector3d(values[i % 4], values[i / 4 % 4], values[i / 16]).asDiagonal();
+                const int next = (axis + 1) % 3;
+                sigma(axis, next) = sigma(next, axis) = std::ldexp(1, -power);
+                CAPTURE(sigma);
+                const PrincipalStress found = principal_stress(sigma);
+                check_largest(sigma, found.stress, found.direction);
+            }
+}
+
 TEST_CASE("fracture: stresses of every structure crack across their largest pull",
           "[A7.3][fracture]")
 {

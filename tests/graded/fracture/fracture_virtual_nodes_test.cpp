@@ -213,6 +213,18 @@ TEST_CASE("fracture: a copy without a share is joined like any other", "[A7.7][f
     check_shares(result, std::vector{1.0, 0.0, 1.0}, Rounding(16, 1));
 }
 
+TEST_CASE("fracture: two copies without a share are joined like any others", "[A7.7][fracture]")
+{
+    // vertices 1 and 4 lie on the plane and the others on the other side
+    const TetrahedralMesh mesh = two_tetrahedra();
+    const EmbeddedMesh result =
+        embedded(mesh, plane_through(mesh, mesh.vertices[1], Vector3d::UnitX()));
+    check_count(result.parents.size(), 4, "copies");
+    check_count(vertex_count(result.mesh), 2 * 5, "vertices"); // all are doubled
+    check_count(piece_count(result.mesh), 2, "pieces");
+    check_shares(result, std::vector{1.0, 0.0, 0.0, 1.0}, Rounding(16, 1));
+}
+
 TEST_CASE("fracture: a crack through both of two tetrahedra parts them", "[A7.7][fracture]")
 {
     const auto check = [](const Placed& at, double x) {

@@ -47,6 +47,9 @@ template <class Check> void for_all_sizes(Check check)
         for (const double y : {1, 2, 3, 4, 6, 9})
             for (const double z : {1, 2, 3, 4, 6, 9})
                 check(Vector3d(x, y, z));
+    for (const double size : {10., 100., 1000., 2000., 4096., 65535., 65536., 1e6, 1e9})
+        for (const double other : {1., 2., 3.}) // whole numbers whose products are large
+            check(Vector3d(size, other * size, size));
     for (int axis = 0; axis < 3; ++axis)
         for (int power = -60; power <= 60; power += 4) {
             Vector3d a(1, 1.5, 2);

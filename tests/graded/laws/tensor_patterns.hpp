@@ -11,22 +11,22 @@
 
 namespace rigor::testing {
 
-/// All these tensors: 64 diagonals, times 27 patterns of signs and zeros, times two sizes of the
+/// All these tensors: 125 diagonals, times 27 patterns of signs and zeros, times two sizes of the
 /// entries beside the diagonal.
 inline std::vector<Matrix3d> tensor_patterns()
 {
     const Vector3d sizes[] = {{0.25, 4, 0.5}, {1, 1, 1}};
-    constexpr double on_diagonal[] = {-3, 0, 1, 4};
+    constexpr double on_diagonal[] = {-3, -1, 0, 1, 4};
     std::vector<Matrix3d> result;
     for (const Vector3d& size : sizes)
-        for (int i = 0; i < 64; ++i)
+        for (int i = 0; i < 125; ++i)
             for (int signs = 0; signs < 27; ++signs) {
                 const double xy = (signs % 3 - 1) * size[0], yz = (signs / 3 % 3 - 1) * size[1],
                              zx = (signs / 9 - 1) * size[2];
                 Matrix3d A;
-                A << on_diagonal[i % 4], xy, zx,    //
-                    xy, on_diagonal[i / 4 % 4], yz, //
-                    zx, yz, on_diagonal[i / 16];
+                A << on_diagonal[i % 5], xy, zx,    //
+                    xy, on_diagonal[i / 5 % 5], yz, //
+                    zx, yz, on_diagonal[i / 25];
                 result.push_back(A);
             }
     return result;

@@ -45,6 +45,23 @@ TEST_CASE("rotation: ij = -ji = k and so on around", "[A3.5][rotation]")
     }
 }
 
+TEST_CASE("rotation: the product of a quaternion with itself and its relatives", "[A3.5][rotation]")
+{
+    for (Random random : seeds(20))
+        for (const double length : {0.5, 1.0, 3.0}) {
+            const Quaternion q = {length * random.uniform(-1, 1), length * random.vector()};
+            for (const double scalar : {1., -1.})
+                for (const double vector : {1., -1.}) {
+                    CAPTURE(length, scalar, vector);
+                    const Quaternion p = {scalar * q.s, vector * q.v};
+                    const Quaternion expected = {scalar * q.s * q.s - vector * q.v.squaredNorm(),
+                                                 (vector + scalar) * q.s * q.v};
+                    const double scale = q.s * q.s + q.v.squaredNorm();
+                    REQUIRE_THAT(multiply(q, p), IsClose(expected, Rounding(16, scale)));
+                }
+        }
+}
+
 TEST_CASE("rotation: the product of any two quaternions", "[A3.5][rotation]")
 {
     for (Random random : seeds(100)) {

@@ -101,6 +101,23 @@ TEST_CASE("rotation: the method of Buss turns a body at rest under a torque", "[
     }
 }
 
+TEST_CASE("rotation: symplectic Euler does not turn a body that a torque stops",
+          "[A3.15][rotation]")
+{
+    for (Random random : seeds(10))
+        for (const double h : {0x1p-10, 0.125, 1.}) { // h τ is exact
+            CAPTURE(h);
+            RigidState state;
+            state.orientation = random.quaternion();
+            state.angular_momentum = random.vector();
+            const BodyInertia body = {1, random.inertia().inverse()};
+            const RigidState after =
+                step_symplectic_euler(state, body, {{0, 0, 0}, -state.angular_momentum / h}, h);
+            REQUIRE_THAT(after.angular_momentum, IsExactly(Vector3d(0, 0, 0)));
+            REQUIRE_THAT(after.orientation, IsClose(state.orientation, Rounding(16, 1)));
+        }
+}
+
 TEST_CASE("rotation: Euler moves a point mass without a force", "[A3.15][rotation]")
 {
     const RigidState state = {{1, 2, 3}, {}, {4, 5, 6}, {0, 0, 0}};

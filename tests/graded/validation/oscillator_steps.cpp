@@ -139,6 +139,15 @@ const Candidates<OscillatorStep>::Wrong special_steps = {
      beside_exact([](const Vector2d& y) { return Vector2d(1.1 * y[0], 0); })},
     {"is off by a little more than the bound in the velocity, from x = 0",
      beside_exact([](const Vector2d& y) { return Vector2d(0, 1.1 * y[1]); })},
+    {"is off by a little more than the bound if neither x nor v is 0",
+     beside_exact([](const Vector2d& y) {
+         return Vector2d(1.1 * std::sqrt(2 * std::abs(y[0] * y[1])), 0);
+     })},
+    {"is off by six billionths in short steps",
+     [](const State& s, double w, double h) {
+         const State after = by_matrix(exact)(s, w, h);
+         return State{after.x + (w * h < 1.5e-3 ? 6e-9 * s.x : 0), after.v};
+     }},
     {"is wrong for an oscillator that rests at x = 0",
      [](const State& s, double w, double h) {
          const double A = std::hypot(s.x, s.v / w), phase = std::asin(s.x / A);

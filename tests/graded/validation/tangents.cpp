@@ -103,6 +103,12 @@ const Candidates<Tangent>::Wrong special_tangents = {
          if (a.maxCoeff() - a.minCoeff() < 1e-9) return Vector3d(t.cwiseSign().normalized());
          return by_a_swap(n);
      }},
+    {"is wrong near an axis and not in a plane of two axes",
+     [](const Vector3d& n) {
+         const bool is_near = std::hypot(n.x(), n.z()) < 1e-5;
+         return is_near && n.x() != 0 && n.z() != 0 ? Vector3d(Vector3d::UnitX())
+                                                    : by_the_farthest_axis(n);
+     }},
     {"is wrong where a component is nearly 0",
      [](Vector3d n) {
          for (double& component : n)
