@@ -112,7 +112,7 @@ double kinetic_energy_of(std::span<const Body> bodies, const Vector3d& V);
 /// The data on which the collision stage, the contact stage and the position correction work.
 struct ContactProblem {
     std::vector<Body> bodies; // one for each body of the world; set only for those with contacts
-    UninitializedVector<ContactConstraint> contacts;
+    UninitializedVector<ContactConstraint> contacts; // sorted by `body1`, then `body2`
     std::vector<DrivenBody> driven;
     std::vector<Island> islands; // only those where two bodies would penetrate in this step
     double time_step = 0;        // [s]

@@ -12,6 +12,7 @@
 #include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/impact.hpp"
+#include "rigid/step/overlap_depth.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,30 +23,11 @@ namespace rigor {
 
 namespace {
 
-// The largest number of bodies of an island that may be refined, because the refinement of a larger
-// island would take too much time. Chosen by trial.
-constexpr std::size_t most_bodies = 32;
 // Allowed increase of the overlap in a step, as a fraction of the thinner body's thickness. The
 // first value applies where bodies rotate into each other, the second where the solver left some
 // approach speed. With smaller values more steps are repeated; with larger values more penetration
 // remains. Chosen by trial; tests/stress shows the depth.
 constexpr double overlap_by_turn = 0.005, overlap_by_speed = 0.05;
-
-// The smallest extent of a body's thinnest part, without planes [m].
-double thickness(const RigidBody& body)
-{
-    double least = std::numeric_limits<double>::infinity();
-    for (const Part& part : body.parts) {
-        if (is_plane(part)) continue;
-        if (const Box* box = std::get_if<Box>(&part.shape)) {
-            least = std::min(least, box->size.minCoeff());
-            continue;
-        }
-        const Bounds bounds = bounds_of(part.shape, {});
-        least = std::min(least, (bounds.high - bounds.low).minCoeff());
-    }
-    return least;
-}
 
 // The largest distance by which the rotation of a body in this step may move its points out of the
 // tangent planes of its contacts [m].
@@ -56,15 +38,6 @@ double deviation_by_rotation(const World& world, const ContactProblem& problem, 
     if (body.is_still() || body.is_ball()) return 0;
     const double angle = problem.time_step * problem.bodies[i].angular_velocity.norm();
     return angle * angle / 2 * radius;
-}
-
-// The largest depth of the contacts, at least 0 [m].
-double deepest(const std::vector<Contact>& contacts)
-{
-    double depth = 0;
-    for (const Contact& c : contacts)
-        depth = std::max(depth, -c.gap);
-    return depth;
 }
 
 // A separate world with the bodies of an island and the static bodies near them.
@@ -113,7 +86,7 @@ class OverlapCheck {
 public:
     OverlapCheck(const World& world, const ContactProblem& problem,
                  const ContactCandidates& candidates, const std::vector<RigidState>& states)
-        : world_(world), problem_(problem), candidates_(candidates), states_(states)
+        : world_(world), problem_(problem), candidates_(candidates), overlap_(world, states)
     {
     }
 
@@ -134,25 +107,14 @@ public:
         const bool may_turn_in = turned > overlap_by_turn * thinner;
         if (!may_turn_in && !(predicted > before + overlap_by_speed * thinner)) return false;
         const double allowed = may_turn_in ? overlap_by_turn : overlap_by_speed;
-        return depth_after(i, j) > before + allowed * thinner;
+        return overlap_.depth(i, j) > before + allowed * thinner;
     }
 
 private:
-    double depth_after(int i, int j)
-    {
-        poses_.resize(states_.size());
-        for (int body : {i, j})
-            poses_[body] = pose_of(states_[body]);
-        std::vector<Contact> after;
-        find_contacts(world_, poses_, i, j, 0, after);
-        return deepest(after);
-    }
-
     const World& world_;
     const ContactProblem& problem_;
     const ContactCandidates& candidates_;
-    const std::vector<RigidState>& states_;
-    std::vector<Pose> poses_; // poses after the step, set only for the pair that is checked
+    Overlap overlap_; // after the step
 };
 
 // Whether all bodies of the pair that can move are balls.
@@ -270,7 +232,7 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
     if (divisions >= most_divisions_of_few) return refined;
     OverlapCheck overlaps_anew(world, problem, candidates, states);
     for (const Island& island : problem.islands) {
-        if (island.bodies.size() > most_bodies) continue;
+        if (island.bodies.size() > most_refined) continue;
         if (std::any_of(island.bodies.begin(), island.bodies.end(),
                         [&](int i) { return pulled[i]; }))
             continue;

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Looks for contacts that a step has missed. The search for contacts covers the motion of free
 // flight and, around it, a margin for each body (contact_candidates.hpp). So only a body that ends
-// farther from its free flight than its margin can meet a body that the search left out. Each such
-// body is tested against the swept bounds of all other bodies, and where these overlap, the
-// contacts of the two bodies are tested. A body that turns far may also pass through a contact that
-// was found; its center is then on the other side.
+// farther from its free flight than its margin can meet a body that the search left out. The swept
+// bounds of each such body are compared with those of the bodies near it, and where these overlap,
+// the contacts of the two bodies are tested. A body that turns far may also pass through a contact
+// that was found; its center is then on the other side.
 #include "rigid/step/missed_contacts.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/bodies/orientation.hpp"
 #include "rigid/detection/travel.hpp"
 #include "rigid/step/impact.hpp"
+#include "rigid/step/overlap_depth.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace rigor {
 
@@ -26,8 +28,12 @@ struct Path {
     double radius = 0;                 // largest distance from X to a point of the body [m]
     Bounds swept;                      // bounds of the body over the step
 
-    // A bound of how far a point of the body moves [m]. Rotation moves it by at most 2 radii.
-    double length() const { return moved.norm() + radius * std::min(angle, 2.0); }
+    // How far rotation may move a point of the body [m]: by at most 2 radii. (The radius of a plane
+    // is infinite.)
+    double turned() const { return angle == 0 ? 0 : radius * std::min(angle, 2.0); }
+
+    // A bound of how far a point of the body moves [m].
+    double length() const { return moved.norm() + turned(); }
 
     // A lower bound of the distance by which the body recedes along n from another body [m]. `gap`
     // is the distance of the two bodies at the contact point x. If the bound is negative, the body
@@ -44,7 +50,8 @@ public:
     MissedContacts(const World& world, const ContactProblem& problem,
                    const ContactCandidates& candidates, const std::vector<RigidState>& flown,
                    const std::vector<RigidState>& states)
-        : world_(world), problem_(problem), candidates_(candidates), flown_(flown), states_(states)
+        : world_(world), problem_(problem), candidates_(candidates), flown_(flown), states_(states),
+          overlap_(world, states)
     {
     }
 
@@ -56,18 +63,16 @@ public:
         const std::vector<int> far = far_bodies();
         if (far.empty()) return false;
         find_paths();
-        return std::any_of(far.begin(), far.end(), [&](int i) {
-            for (int j = 0; j < static_cast<int>(paths_.size()); ++j)
-                if (j != i && !(j < i && std::binary_search(far.begin(), far.end(), j)) &&
-                    paths_[i].swept.overlaps(paths_[j].swept) && !never_collide(world_, i, j) &&
-                    would_meet(std::min(i, j), std::max(i, j)))
-                    return true;
-            return false;
+        const std::vector<BodyPair> pairs = pairs_near(far);
+        return std::any_of(pairs.begin(), pairs.end(), [&](const BodyPair& pair) {
+            const auto [i, j] = pair;
+            return paths_[i].swept.overlaps(paths_[j].swept) && !never_collide(world_, i, j) &&
+                   would_meet(i, j) && !(is_crowded(i, j) && stays_apart(i, j));
         });
     }
 
 private:
-    Vector3d moved(int i) const { return states_[i].position - world_.bodies[i].state.position; }
+    Vector3d moved(int i) const { return states_[i].position - candidates_.poses[i].X; }
 
     // Whether a body turns so far that the paths of its points are not nearly straight.
     bool turns_far(int i) const
@@ -106,23 +111,52 @@ private:
     {
         std::vector<int> far;
         for (int i = 0; i < static_cast<int>(states_.size()); ++i) {
-            if (world_.bodies[i].is_static) continue;
-            const double radius = world_.bodies[i].is_ball() ? 0 : candidates_.radii[i];
-            const Travel missed = travel_of(flown_[i], states_[i], 0, radius, 0);
-            if (path_between(missed, {}) > candidates_.margins[i]) far.push_back(i);
+            const auto is_beyond_margin = [&](double radius) {
+                const Travel missed = travel_of(flown_[i], states_[i], 0, radius, 0);
+                return path_between(missed, {}) > candidates_.margins[i];
+            };
+            if (!is_beyond_margin(candidates_.radii[i])) continue; // true for most bodies
+            const RigidBody& body = world_.bodies[i];
+            if (!body.is_static && (!body.is_ball() || is_beyond_margin(0))) far.push_back(i);
         }
         return far;
     }
 
-    // Fills in `paths_` and `pairs_`.
     void find_paths()
     {
-        for (int k = 0; k < static_cast<int>(problem_.contacts.size()); ++k)
-            pairs_.push_back({{problem_.contacts[k].body1, problem_.contacts[k].body2}, k});
-        std::sort(pairs_.begin(), pairs_.end());
         paths_.reserve(world_.bodies.size());
         for (int i = 0; i < static_cast<int>(world_.bodies.size()); ++i)
             paths_.push_back(path_of(i));
+    }
+
+    // All pairs of a body of the list and another body whose swept bounds may overlap. If all
+    // bodies stay within their fat bounds, the pair cache has these pairs.
+    std::vector<BodyPair> pairs_near(const std::vector<int>& far) const
+    {
+        const int n = static_cast<int>(paths_.size());
+        std::vector<char> is_far(n, false);
+        for (int i : far)
+            is_far[i] = true;
+        std::vector<BodyPair> pairs;
+        const PairCache& cache = world_.memory.pairs;
+        if (covers_paths(cache)) {
+            std::copy_if(
+                cache.pairs.begin(), cache.pairs.end(), std::back_inserter(pairs),
+                [&](const BodyPair& pair) { return is_far[pair.body1] || is_far[pair.body2]; });
+            return pairs;
+        }
+        for (int i : far)
+            for (int j = 0; j < n; ++j)
+                if (j != i && !(j < i && is_far[j]))
+                    pairs.push_back({std::min(i, j), std::max(i, j)});
+        return pairs;
+    }
+
+    bool covers_paths(const PairCache& cache) const
+    {
+        return std::equal(
+            paths_.begin(), paths_.end(), cache.fat_bounds.begin(), cache.fat_bounds.end(),
+            [](const Path& path, const Bounds& fat) { return fat.contains(path.swept); });
     }
 
     Path path_of(int i) const
@@ -143,7 +177,7 @@ private:
         const Bounds start = path.swept;
         for (const Vector3d& d : {path.moved, Vector3d(flown_[i].position - path.X)})
             path.swept.include({start.low + d, start.high + d});
-        path.swept.grow(path.radius * std::min(path.angle, 2.0));
+        path.swept.grow(path.turned());
         return path;
     }
 
@@ -161,6 +195,31 @@ private:
         });
     }
 
+    // Whether one of the two bodies belongs to an island that is too large for a step in halves
+    // whenever `would_meet` is true, since it is often true for bodies that do not meet.
+    bool is_crowded(int i, int j) const
+    {
+        return std::any_of(
+            problem_.islands.begin(), problem_.islands.end(), [&](const Island& island) {
+                const auto has = [&](int body) {
+                    return std::binary_search(island.bodies.begin(), island.bodies.end(), body);
+                };
+                return island.bodies.size() > most_refined && (has(i) || has(j));
+            });
+    }
+
+    // Whether the two bodies do not overlap at the end of the step, and move too little to have
+    // passed through each other.
+    bool stays_apart(int i, int j)
+    {
+        // The longest path, as a fraction of the thinner body's thickness. A body that passes
+        // through another one moves by more than its thickness.
+        constexpr double short_path = 0.5;
+        const double thinner = std::min(thickness(world_.bodies[i]), thickness(world_.bodies[j]));
+        return paths_[i].length() + paths_[j].length() < short_path * thinner &&
+               overlap_.depth(i, j) == 0;
+    }
+
     // Whether the problem has a contact of the pair on the same side, which keeps the bodies apart
     // on this side. (A body that is a whole room also has walls on other sides.) A contact of two
     // balls with `passes_by` does not count, because it is correct only if the balls fly past each
@@ -169,20 +228,19 @@ private:
     {
         const bool are_balls =
             world_.bodies[pair.body1].is_ball() && world_.bodies[pair.body2].is_ball();
-        for (auto at = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair(pair, 0));
-             at != pairs_.end() && at->first == pair; ++at) {
-            const ContactConstraint& c = problem_.contacts[at->second];
-            if (are_on_one_side(c.normal, normal) && !(are_balls && c.passes_by > 0)) return true;
-        }
-        return false;
+        const auto pair_of = [](const ContactConstraint& c) { return BodyPair{c.body1, c.body2}; };
+        const auto contacts = std::ranges::equal_range(problem_.contacts, pair, {}, pair_of);
+        return std::ranges::any_of(contacts, [&](const ContactConstraint& c) {
+            return are_on_one_side(c.normal, normal) && !(are_balls && c.passes_by > 0);
+        });
     }
 
     const World& world_;
     const ContactProblem& problem_;
     const ContactCandidates& candidates_;
     const std::vector<RigidState>&flown_, &states_;
-    std::vector<Path> paths_;                     // one for each body
-    std::vector<std::pair<BodyPair, int>> pairs_; // the pair of each contact, and its index; sorted
+    Overlap overlap_;         // at the end of the step
+    std::vector<Path> paths_; // one for each body
 };
 
 } // namespace

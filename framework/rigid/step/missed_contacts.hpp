@@ -15,7 +15,10 @@ namespace rigor {
 ///    lets their points move along straight lines. The center of the body then passes a contact.
 ///
 /// Both cases are detected from the contacts at the start of the step and the displacements until
-/// its end. So the result may also be true for bodies that pass each other closely.
+/// its end. So the result may also be true for bodies that pass each other closely. In a large
+/// island, that is one of more than `most_refined` bodies (overlap_depth.hpp), this would happen in
+/// many steps of a pile. There the first case counts only if the bodies overlap at the end of the
+/// step, or move so far that they may have passed through each other.
 ///
 /// @param candidates  has to contain at least one contact
 /// @param flown       the states after free flight, with which `candidates` was found

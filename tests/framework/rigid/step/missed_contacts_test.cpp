@@ -101,6 +101,31 @@ TEST_CASE("missed contacts: where a body ends beyond its margin and in another o
     CHECK_FALSE(misses_a_contact(weightless(bodies), h, -0.0301));
 }
 
+TEST_CASE("missed contacts: in a large island, bodies that only come near do not count", "[rigid]")
+{
+    // A cube lies in a row of cubes, and ends beside another cube that leans towards it. Seen from
+    // the start of the step, the edge of this cube may reach the other one as it turns.
+    const auto is_missed = [](int cubes, double x, bool is_cached) {
+        std::vector<RigidBody> bodies = {fixed(Plane{}, {0, 0}, {0, -0.5, 0})};
+        bodies.push_back(body_of(Box{{1, 1, 1}}, {-1.3, 0.126, 0}, {0, 0}, turn({0, 0, 1}, 0.3)));
+        spin(bodies.back(), {0, 0, -3});
+        for (int i = 1; i < cubes; ++i)
+            bodies.push_back(body_of(Box{{1, 1, 1}}, Vector3d(i, 0, 0), {0, 0}));
+        // More cubes, far away, make the world so large that it has a pair cache.
+        for (int i = 0; i < (is_cached ? 64 : 0); ++i)
+            bodies.push_back(body_of(Box{{1, 1, 1}}, Vector3d(2 * i, 50, 0), {0, 0}));
+        bodies.push_back(body_of(Box{{1, 1, 1}}, {0, 0, 0}, {0, 0}));
+        return misses_a_contact(world_of(bodies), 1. / 60, x);
+    };
+    const bool is_cached = GENERATE(false, true);
+    CAPTURE(is_cached);
+    CHECK(is_missed(5, -0.15, is_cached));
+    CHECK_FALSE(is_missed(40, -0.15, is_cached));
+    CHECK(is_missed(40, -0.3, is_cached)); // they overlap
+    CHECK(is_missed(40, -8, is_cached));   // the cube has passed through the other one
+    CHECK_FALSE(is_missed(5, 0, is_cached));
+}
+
 TEST_CASE("missed contacts: where a body that turns far ends behind a contact", "[rigid]")
 {
     // This counts although the body ends where it is after free flight: its contact may have got no
