@@ -27,7 +27,8 @@ struct ContactConstraint : Contact {
     // `predicted_gap` adds `passes_by` [m] to gap + h v·n, the gap that v·n predicts for the end of
     // the step (h: time step). `passes_by` is 0 except in these cases:
     // 1. The front of a rolling wheel moves down, but also forward, so that it does not reach the
-    //    ground. `passes_by` is the depth that the rotation alone would reach on a straight line.
+    //    ground. `passes_by` corrects the prediction for its arc, or leaves out the rotation if the
+    //    point comes to the lowest place of its path within the step.
     // 2. Two balls fly past each other. `passes_by` is their gap at the end of the step minus the
     //    prediction gap + h v·n.
     // 3. `gap` belongs to the orientation at the end of free flight (`ContactCandidates::turned`),

@@ -115,7 +115,13 @@ void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, Contac
     // Otherwise it is 0, because for example the corners of a box do hit the other body.
     const Body &body1 = problem.bodies[c.body1], &body2 = problem.bodies[c.body2];
     const double h1 = rolls1 ? problem.time_step : 0, h2 = rolls2 ? problem.time_step : 0;
-    const Vector3d turn1 = h1 * body1.angular_velocity, turn2 = h2 * body2.angular_velocity;
+    // The rotation about the normal does not count. It turns the path along which the body rolls,
+    // with the axis about which it rolls, and leaves all heights as they are.
+    const auto rolling = [&](const Vector3d& w) -> Vector3d {
+        return w - w.dot(c.normal) * c.normal;
+    };
+    const Vector3d turn1 = h1 * rolling(body1.angular_velocity),
+                   turn2 = h2 * rolling(body2.angular_velocity);
     const Vector3d r1 = c.point - body1.position, r2 = c.point - body2.position;
     const double turned = c.normal.dot(Vector3d(turn1.cross(r1) - turn2.cross(r2)));
     if (turned >= 0) return;
@@ -124,10 +130,16 @@ void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, Contac
         const double most_bend =
             (turn1.squaredNorm() * r1.norm() + turn2.squaredNorm() * r2.norm()) / 2;
         if (-by_line > (1 + bend_tolerance) * most_bend) return;
-        const double bend =
-            c.normal.dot(Vector3d(bend_of_path(turn1, r1) - bend_of_path(turn2, r2)));
+        const Vector3d bend1 = bend_of_path(turn1, r1), bend2 = bend_of_path(turn2, r2);
+        const double bend = c.normal.dot(Vector3d(bend1 - bend2));
         if (by_line + bend < -bend_tolerance * bend) return;
-        c.passes_by = -by_line;
+        // If the point comes to the lowest place on its path within the step, other points of the
+        // round body follow it, so the gap at this place stays as it is. Otherwise the gap at the
+        // end is the one at the end of the arc.
+        const Vector3d end1 = turn1.cross(r1 + turn1.cross(r1) + bend1),
+                       end2 = turn2.cross(r2 + turn2.cross(r2) + bend2);
+        const bool still_descends = c.normal.dot(Vector3d(end1 - end2)) < 0;
+        c.passes_by = still_descends ? (1 + bend_tolerance) * bend : -turned;
     }
     c.turning_speed = turned / problem.time_step;
 }

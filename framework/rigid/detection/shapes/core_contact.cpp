@@ -122,7 +122,7 @@ public:
         const bool is_ring = core_.is_closed;
         const double lowest = is_ring ? add_around_lowest(gaps, step) : 0;
         for (int i = 0; i < n; ++i) {
-            if (!is_ring && gaps[i] < reach_) add(i * step);
+            if (!is_ring && gaps[i] < reach_ && !is_between_others(gaps, i)) add(i * step);
             const double before = gaps[core_.is_closed ? (i + n - 1) % n : std::max(i - 1, 0)];
             const double after = gaps[core_.is_closed ? (i + 1) % n : std::min(i + 1, n - 1)];
             if (gaps[i] > before || gaps[i] > after) continue;
@@ -135,6 +135,17 @@ public:
 
 private:
     double gap(double s) const { return field_.ball_distance(core_.at(s), core_.radius); }
+
+    // Whether the gap changes linearly from sample i - 1 to sample i + 1 of a segment, and both are
+    // contacts or lie between others. Then these contacts also keep sample i from penetrating. As a
+    // contact, it would take a share of their loads.
+    bool is_between_others(const std::vector<double>& gaps, int i) const
+    {
+        if (i == 0 || i + 1 == static_cast<int>(gaps.size())) return false;
+        const double before = gaps[i - 1], after = gaps[i + 1];
+        return before < reach_ && after < reach_ &&
+               std::abs(before - 2 * gaps[i] + after) <= least_improvement * core_.meters();
+    }
 
     // Adds points of a circle as contacts: eight fixed points if the other shape is equally near
     // everywhere, otherwise the point nearest to the other shape and the three points at
