@@ -62,7 +62,65 @@ bool only_turns(const ContactConstraint& c, double v_n)
            2 * others >= std::min(c.force_speed, rounding_share * c.turning_speed);
 }
 
-void collect(const ContactProblem& problem, const ContactPair& pair, Candidates& candidates)
+// Whether a bounce would be over within the step. After it, the contact opens with a speed of at
+// most -v_n, while the forces accelerate it by force_speed/h (h: time step). So it closes again
+// after at most 2 v_n/force_speed time steps.
+bool is_over_in_the_step(const ContactConstraint& c, double v_n)
+{
+    return v_n < 0 && 2 * v_n > c.force_speed;
+}
+
+// The change of v·n at the contact c by the forces of this step, if the contacts on which its
+// bodies rest take the part of the forces that they can take [m/s]. Each body is looked at by
+// itself, as if the bodies on which it rests could not move.
+double unsupported_force_speed(const ContactProblem& problem, const Island& island,
+                               const ContactConstraint& c)
+{
+    // The impulses of the contacts are found by sweeps; with more of them, bodies that rest on many
+    // points have less of the forces left over.
+    constexpr int sweeps = 10;
+    double speed = c.force_speed;
+    for (const int i : {c.body1, c.body2}) {
+        if (problem.bodies[i].is_static()) continue;
+        Body change = problem.bodies[i]; // the change of its velocities by these impulses
+        change.velocity = change.angular_velocity = change.angular_momentum = Vector3d::Zero();
+        // The part of v·n that the change gives a contact of this body.
+        const auto part = [&](const ContactConstraint& at) -> double {
+            const Vector3d v =
+                change.velocity + change.angular_velocity.cross(at.point - change.position);
+            return (at.body1 == i ? 1 : -1) * v.dot(at.normal);
+        };
+        for (int sweep = 0; sweep < sweeps; ++sweep)
+            for (const ContactPair& pair : island.pairs)
+                for (int k = pair.first; k < pair.last; ++k) {
+                    const ContactConstraint& o = problem.contacts[k];
+                    if (o.body1 != i && o.body2 != i) break; // nor are the others of this pair
+                    const double v_n = problem.velocity_at(o, o.point).dot(o.normal);
+                    const bool holds = problem.predicted_gap(o, v_n + o.force_speed) < 0 &&
+                                       2 * std::abs(v_n) < -o.force_speed;
+                    const double opens = o.force_speed + part(o);
+                    if (!holds || !(opens < 0)) continue;
+                    const Vector3d j = -opens / o.normal_K * o.normal;
+                    problem.push(change, o.point, o.body1 == i ? j : Vector3d(-j));
+                }
+        speed += part(c);
+    }
+    return speed;
+}
+
+// Whether only the forces of this step would close a contact, and do not close it because the
+// bodies rest on other contacts. A ball that slides over the joint between two tiles comes near the
+// edge of the second one. It would hit this edge if the first tile did not hold it.
+bool closes_by_forces_alone(const ContactProblem& problem, const Island& island,
+                            const ContactConstraint& c, double v_n)
+{
+    if (v_n >= 0 || problem.predicted_gap(c, v_n) < 0) return false;
+    return !is_pile(island) &&
+           problem.predicted_gap(c, v_n + unsupported_force_speed(problem, island, c)) >= 0;
+}
+
+void collect(const ContactProblem& problem, const Island& island, const ContactPair& pair,
+             Candidates& candidates)
 {
     candidates.points.clear();
     candidates.contacts.clear();
@@ -75,11 +133,8 @@ void collect(const ContactProblem& problem, const ContactPair& pair, Candidates&
         const double v_n = v.dot(c.normal);
         const double depth = -problem.predicted_gap(c, v_n + c.force_speed);
         if (!(depth > 0)) continue;
-        // After a bounce the contact opens with a speed of at most -v_n, while the forces
-        // accelerate it by force_speed/h (h: time step). So it closes again after at most
-        // 2 v_n/force_speed time steps.
-        const bool is_over_in_the_step = v_n < 0 && 2 * v_n > c.force_speed;
-        if (is_over_in_the_step) continue;
+        if (is_over_in_the_step(c, v_n)) continue;
+        if (closes_by_forces_alone(problem, island, c, v_n)) continue;
         if (only_turns(c, v_n)) continue;
         // At a point that has bounced with ε = 0, v_n is only a rounding error. Without this test,
         // `deepest_approaching_point` could choose this point again and again, and the points of
@@ -171,7 +226,7 @@ void resolve(ContactProblem& problem, const Island& island)
         bool bounced = false;
         for (const ContactPair& pair : island.pairs)
             for (int round = 0; round < most_rounds; ++round) {
-                collect(problem, pair, candidates);
+                collect(problem, island, pair, candidates);
                 if (!candidates.any_approaches || !bounce(problem, candidates)) break;
                 bounced = true;
             }

@@ -17,11 +17,11 @@ inline constexpr double resting_overlap = 1e-4;
 /// the middle of the gap, except in these cases:
 ///
 ///   1. A shape and a plane (plane_contact.hpp): on the surface of the shape.
-///   2. A sphere and a box (narrow_phase.cpp): on the surface of the sphere.
+///   2. A sphere and a box (shape_contacts.cpp): on the surface of the sphere.
 ///   3. A sphere, a capsule or a torus that is tested by its core, the point or curve in its middle
 ///      (core_contact.hpp says which contacts these are): on the surface of this shape.
-///   4. A part of a concave shape that lies ahead (`find_contacts_ahead` in narrow_phase.cpp): the
-///      point where the contact would be after the motion of this step, moved back with the bodies.
+///   4. A contact that lies ahead (look_ahead.hpp): the point where it would be after the motion of
+///      this step, moved back with the bodies.
 struct Contact {
     Vector3d point = Vector3d::Zero();   // [m]
     Vector3d normal = Vector3d::UnitY(); // unit, from shape 2 to shape 1

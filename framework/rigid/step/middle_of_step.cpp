@@ -178,8 +178,22 @@ bool take_nearest(const Vector3d& point, const Vector3d& normal, double reach,
     return true;
 }
 
+// Whether the contact in the middle of the step is with an edge towards which the bodies move: they
+// are farther apart there than at the start, and its normal has turned against their motion. This
+// is so where a body comes from one tile to the next. At the start, its contact with the second
+// tile has the normal of the tile's face, since the search for contacts looks ahead. (On a convex
+// surface, the bodies move apart in the middle of the step. On a concave surface, they overlap.)
+// @param V  velocity of the center of body 1 relative to that of body 2. It counts instead of
+//           v₁ - v₂, because the shape of a round body that rolls moves with its center.
+bool is_edge_ahead(const HeldContact& contact, const ContactConstraint& start, const Vector3d& V)
+{
+    return contact.middle.gap > start.gap + nearly_touching_gap * start.radius &&
+           V.dot(contact.middle.normal - start.normal) < -contact.negligible;
+}
+
 // Sets `middle` of the held contacts of one pair of bodies to the contacts that are found in the
-// middle of the step. A contact without an impulse that is not closer then than at the start gets
+// middle of the step. Where this is the edge of a tile (`is_edge_ahead`), the contact keeps its
+// normal and gap. A contact without an impulse that is not closer then than at the start gets
 // the index -1.
 // @return whether each contact with an impulse was found again
 bool find_middle(const World& world, const ContactProblem& problem, const std::vector<Body>& first,
@@ -203,6 +217,11 @@ bool find_middle(const World& world, const ContactProblem& problem, const std::v
         const Vector3d carried = c.point + h / 2 * (v1 - contact.v_start / 2);
         const bool is_found = take_nearest(carried, c.normal, reach, found, contact.middle);
         if (!is_found && contact.has_impulse) return false;
+        if (is_found && is_edge_ahead(contact, c, body1.velocity - body2.velocity)) {
+            contact.middle.point = carried;
+            contact.middle.normal = c.normal;
+            contact.middle.gap = c.gap;
+        }
         const double closer = c.gap - contact.middle.gap;
         if (!contact.has_impulse && !(is_found && closer > touching_gap * c.radius))
             contact.index = -1;
@@ -231,6 +250,76 @@ bool moves_along_a_body(const ContactConstraint& start, const Contact& middle, c
     });
 }
 
+// Gives the index -1 to contacts that the bodies leave behind in the first half of the step. Where
+// a ball crosses the joint between two tiles, both tiles hold it at the same point at the start,
+// but only one of them does so in the middle of the step.
+void drop_left_behind(const ContactProblem& problem, std::span<HeldContact> held)
+{
+    const auto is_left_behind = [&](const HeldContact& contact, const HeldContact& other) {
+        if (contact.index < 0 || other.index < 0) return false;
+        const ContactConstraint &c = problem.contacts[contact.index],
+                                &o = problem.contacts[other.index];
+        const double negligible = nearly_touching_gap * c.radius;
+        const bool is_same = (c.normal - o.normal).norm() <= nearly_touching_gap &&
+                             (c.point - o.point).norm() <= negligible;
+        return is_same && contact.middle.gap > other.middle.gap + negligible;
+    };
+    for (HeldContact& contact : held)
+        if (std::any_of(held.begin(), held.end(),
+                        [&](const HeldContact& other) { return is_left_behind(contact, other); }))
+            contact.index = -1;
+}
+
+// Sets `middle` of all held contacts and removes those that count no more: see `find_middle` and
+// `drop_left_behind`.
+// @return whether each contact with an impulse was found again
+bool find_middles(const World& world, const ContactProblem& problem, const std::vector<Body>& first,
+                  const std::vector<Pose>& poses, std::vector<HeldContact>& held)
+{
+    const auto bodies_of = [&](const HeldContact& contact) {
+        const ContactConstraint& c = problem.contacts[contact.index];
+        return std::pair(c.body1, c.body2);
+    };
+    for (auto begin = held.begin(), end = begin; begin != held.end(); begin = end) {
+        const std::pair<int, int> pair = bodies_of(*begin);
+        end = std::find_if(begin, held.end(),
+                           [&](const HeldContact& other) { return bodies_of(other) != pair; });
+        if (!find_middle(world, problem, first, poses, {begin, end})) return false;
+    }
+    drop_left_behind(problem, held);
+    std::erase_if(held, [](const HeldContact& contact) { return contact.index < 0; });
+    return true;
+}
+
+// Sets `v_middle` and `change` of a held contact.
+// @param moved  the bodies of the island in the middle of the step
+// @return v₁ - v₂ at the contact point of the start of the step, with the velocities after the
+//         contact stage [m/s]
+Vector3d set_velocities(const ContactProblem& problem, const std::vector<Body>& first,
+                        const std::map<int, Body>& moved, HeldContact& contact)
+{
+    // A body in the middle of the step, with its velocities at the start or at the end.
+    const auto starting = [&](int i) -> const Body& {
+        const auto found = moved.find(i);
+        return found == moved.end() ? first[i] : found->second;
+    };
+    const auto ending = [&](int i) {
+        Body body = starting(i);
+        body.velocity = problem.bodies[i].velocity;
+        body.angular_momentum = problem.bodies[i].angular_momentum;
+        if (!body.is_static()) body.angular_velocity = body.inverse_inertia * body.angular_momentum;
+        return body;
+    };
+    const ContactConstraint& c = problem.contacts[contact.index];
+    const Vector3d& n = contact.middle.normal;
+    contact.v_middle = velocity_at(contact.middle, starting(c.body1), starting(c.body2));
+    const Vector3d v_last = velocity_at(c, problem.bodies[c.body1], problem.bodies[c.body2]),
+                   v_last_middle = velocity_at(contact.middle, ending(c.body1), ending(c.body2));
+    contact.change = std::max(std::abs(contact.v_middle.dot(n) - contact.v_start.dot(c.normal)),
+                              std::abs(v_last_middle.dot(n) - v_last.dot(c.normal)));
+    return v_last;
+}
+
 } // namespace
 
 Vector3d velocity_at(const Contact& c, const Body& body1, const Body& body2)
@@ -248,52 +337,19 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
     std::vector<HeldContact>& held = middle.contacts = held_contacts(world, problem, island, first);
     if (held.empty()) return std::nullopt;
     middle.bodies = moved_to_the_middle(world, problem, island, first, poses);
+    if (!find_middles(world, problem, first, poses, held)) return std::nullopt;
 
-    const auto bodies_of = [&](const HeldContact& contact) {
-        const ContactConstraint& c = problem.contacts[contact.index];
-        return std::pair(c.body1, c.body2);
-    };
-    // A body in the middle of the step, with its velocities at the start or at the end.
-    const auto starting = [&](int i) -> const Body& {
-        const auto moved = middle.bodies.find(i);
-        return moved == middle.bodies.end() ? first[i] : moved->second;
-    };
-    const auto ending = [&](int i) {
-        Body body = starting(i);
-        body.velocity = problem.bodies[i].velocity;
-        body.angular_momentum = problem.bodies[i].angular_momentum;
-        if (!body.is_static()) body.angular_velocity = body.inverse_inertia * body.angular_momentum;
-        return body;
-    };
     bool any_shift = false, any_turning_drive = false, all_slide = true, all_stay = true;
-    for (auto begin = held.begin(), end = begin; begin != held.end(); begin = end) {
-        const std::pair<int, int> pair = bodies_of(*begin);
-        end = std::find_if(begin, held.end(),
-                           [&](const HeldContact& other) { return bodies_of(other) != pair; });
-        if (!find_middle(world, problem, first, poses, {begin, end})) return std::nullopt;
-        const Body &first1 = starting(pair.first), &first2 = starting(pair.second);
-        const Body last1 = ending(pair.first), last2 = ending(pair.second);
-        for (HeldContact& contact : std::span(begin, end)) {
-            if (contact.index < 0) continue;
-            const ContactConstraint& c = problem.contacts[contact.index];
-            const Vector3d& n = contact.middle.normal;
-            contact.v_middle = velocity_at(contact.middle, first1, first2);
-            const Vector3d v_last =
-                               velocity_at(c, problem.bodies[c.body1], problem.bodies[c.body2]),
-                           v_last_middle = velocity_at(contact.middle, last1, last2);
-            contact.change =
-                std::max(std::abs(contact.v_middle.dot(n) - contact.v_start.dot(c.normal)),
-                         std::abs(v_last_middle.dot(n) - v_last.dot(c.normal)));
-            middle.has_curve |= contact.change > contact.negligible;
-            any_shift |= moves_along_a_body(c, contact.middle, world, poses, middle.bodies);
-            any_turning_drive |= touches_a_turning_drive(world, c);
-            all_slide &=
-                contact.slides && slip(contact.v_start, c.normal).norm() > contact.negligible;
-            all_stay &= std::max(std::abs(contact.v_start.dot(c.normal)),
-                                 std::abs(v_last.dot(c.normal))) <= contact.negligible;
-        }
+    for (HeldContact& contact : held) {
+        const ContactConstraint& c = problem.contacts[contact.index];
+        const Vector3d v_last = set_velocities(problem, first, middle.bodies, contact);
+        middle.has_curve |= contact.change > contact.negligible;
+        any_shift |= moves_along_a_body(c, contact.middle, world, poses, middle.bodies);
+        any_turning_drive |= touches_a_turning_drive(world, c);
+        all_slide &= contact.slides && slip(contact.v_start, c.normal).norm() > contact.negligible;
+        all_stay &= std::max(std::abs(contact.v_start.dot(c.normal)),
+                             std::abs(v_last.dot(c.normal))) <= contact.negligible;
     }
-    std::erase_if(held, [](const HeldContact& contact) { return contact.index < 0; });
     const bool loads_change = any_shift && all_slide && all_stay && held.size() > 1;
     const bool is_solved_again = middle.has_curve || (any_turning_drive && loads_change);
     return is_solved_again ? std::optional(middle) : std::nullopt;

@@ -7,7 +7,7 @@
 #include "geometry/meshes/generators.hpp"
 #include "geometry/meshes/mesh_surface.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
-#include "rigid/detection/narrow_phase.hpp"
+#include "rigid/detection/shape_contacts.hpp"
 #include "worlds.hpp"
 
 namespace rigor::testing {

@@ -119,16 +119,10 @@ public:
         // distance between the samples. The test allows for about twice this.
         if (least - core_.meters() / n - field_.uncertainty() >= reach_) return;
         const std::size_t first = contacts_.size();
-        const bool is_ring = core_.is_closed;
-        const double lowest = is_ring ? add_around_lowest(gaps, step) : 0;
-        for (int i = 0; i < n; ++i) {
-            if (!is_ring && gaps[i] < reach_ && !is_between_others(gaps, i)) add(i * step);
-            const double before = gaps[core_.is_closed ? (i + n - 1) % n : std::max(i - 1, 0)];
-            const double after = gaps[core_.is_closed ? (i + 1) % n : std::min(i + 1, n - 1)];
-            if (gaps[i] > before || gaps[i] > after) continue;
-            const double from_lowest = std::abs(std::remainder(i * step - lowest, core_.length));
-            if (!is_ring || from_lowest > 2 * step) refine(i, step, gaps[i]);
-        }
+        if (core_.is_closed)
+            find_on_ring(gaps, step);
+        else
+            find_on_segment(gaps, step);
         reduce_contacts(contacts_, first, reach_,
                         core_.is_closed ? most_contacts : most_contacts / 2);
     }
@@ -136,15 +130,61 @@ public:
 private:
     double gap(double s) const { return field_.ball_distance(core_.at(s), core_.radius); }
 
-    // Whether the gap changes linearly from sample i - 1 to sample i + 1 of a segment, and both are
-    // contacts or lie between others. Then these contacts also keep sample i from penetrating. As a
-    // contact, it would take a share of their loads.
-    bool is_between_others(const std::vector<double>& gaps, int i) const
+    void find_on_ring(const std::vector<double>& gaps, double step)
     {
-        if (i == 0 || i + 1 == static_cast<int>(gaps.size())) return false;
-        const double before = gaps[i - 1], after = gaps[i + 1];
-        return before < reach_ && after < reach_ &&
-               std::abs(before - 2 * gaps[i] + after) <= least_improvement * core_.meters();
+        const int n = core_.samples;
+        const double lowest = add_around_lowest(gaps, step);
+        for (int i = 0; i < n; ++i) {
+            if (gaps[i] > gaps[(i + n - 1) % n] || gaps[i] > gaps[(i + 1) % n]) continue;
+            const double from_lowest = std::abs(std::remainder(i * step - lowest, core_.length));
+            if (from_lowest > 2 * step) refine(i, step, gaps[i]);
+        }
+    }
+
+    // Adds the ends of the segment, its points with minimal gaps, and the ends of the parts along
+    // which the gap changes linearly, as above a flat face. The points between these need no
+    // contacts, since the others keep them from penetrating too. As contacts they would share the
+    // loads. Beyond the end of a face, their normals would be those of an edge, on which a sliding
+    // capsule would catch.
+    void find_on_segment(const std::vector<double>& gaps, double step)
+    {
+        const int last = core_.samples - 1;
+        const auto is_linear = [&](int i) {
+            return i > 0 && i < last &&
+                   std::abs(gaps[i - 1] - 2 * gaps[i] + gaps[i + 1]) <= deviation();
+        };
+        for (int i = 0; i <= last; ++i) {
+            if (is_linear(i)) continue;
+            const bool begins = is_linear(i + 1), ends = is_linear(i - 1);
+            if (begins && i > 0) add(end_of_line(i, -1, gaps, step));
+            if (ends && i < last) add(end_of_line(i, 1, gaps, step));
+            const bool is_least =
+                gaps[i] <= gaps[std::max(i - 1, 0)] && gaps[i] <= gaps[std::min(i + 1, last)];
+            if (i == 0 || i == last || (is_least && !begins && !ends)) add(i * step);
+            if (is_least) refine(i, step, gaps[i]);
+        }
+    }
+
+    // A gap that differs from a linear one by at most this counts as linear [m].
+    double deviation() const { return least_improvement * core_.meters(); }
+
+    // The place beyond sample i where the gap stops to change as it does before this sample.
+    // @param side  1 if the linear part lies before the sample, -1 if it lies behind
+    double end_of_line(int i, int side, const std::vector<double>& gaps, double step) const
+    {
+        constexpr int bisections = 30; // shorten the interval to 1e-9 of its length
+        const double slope = (gaps[i] - gaps[i - side]) / step;
+        double on = 0, off = step; // distances from the sample
+        for (int k = 0; k < bisections; ++k) {
+            const double middle = (on + off) / 2;
+            const double line = gaps[i] + slope * middle;
+            const bool is_on = std::abs(gap(i * step + side * middle) - line) <= deviation();
+            (is_on ? on : off) = middle;
+        }
+        // The gap grows by δ²/2r at the distance δ beyond the end, r: radius. This is the largest δ
+        // that counts as linear. Without it, the point may lie beyond the face.
+        const double beyond = std::sqrt(2 * core_.radius * deviation());
+        return i * step + side * std::max(on - beyond, 0.0);
     }
 
     // Adds points of a circle as contacts: eight fixed points if the other shape is equally near

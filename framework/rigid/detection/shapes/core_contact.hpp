@@ -18,7 +18,8 @@ namespace rigor {
 ///   * A sphere: where the other shape is nearest. With a mesh, at each local minimum of the
 ///     distance, if the center is outside the mesh. With a torus, at three points of the torus,
 ///     one of them the nearest.
-///   * A capsule: at samples along its segment, and at local minima between the samples.
+///   * A capsule: at the ends of its segment, at local minima of the gap, and at the ends of the
+///     parts along which the gap changes linearly, as above a flat face.
 ///   * A torus: at four or eight points spread evenly around its circle, and at other local minima.
 ///   * A capsule or a torus with a mesh: also at points of the mesh, so that a peg in a hole has
 ///     contacts on all sides.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Contacts of spheres and boxes, and of bodies.
+#include "rigid/detection/narrow_phase.hpp"
+
 #include "framework/rigid/contact_shapes.hpp"
 
 using namespace rigor;

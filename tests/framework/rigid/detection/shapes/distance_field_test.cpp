@@ -4,6 +4,7 @@
 #include "framework/rigid/contact_shapes.hpp"
 #include "geometry/level_sets/level_set.hpp"
 #include "rigid/bodies/non_finite.hpp"
+#include "rigid/detection/narrow_phase.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
