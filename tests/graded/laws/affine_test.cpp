@@ -6,6 +6,7 @@
 // A formula that takes it for the special case, or that ignores a small part beside a large one,
 // breaks the law.
 #include "add_law.hpp"
+#include "own_answers.hpp"
 #include "strata.hpp"
 #include "support/seeds.hpp"
 
@@ -151,10 +152,14 @@ template <FormulaIndex f, auto& formula> void check_affine(const Affine& row)
         blend(expected, of_b, of.result, false, t);
         const auto found = std::apply(formula, between);
 
-        INFO(fmt::format("{} is affine in {}: the result for (1-t) a + t b is (1-t) times that for "
-                         "a plus t times that for b, here with t = {:.3g}",
-                         row.formula, listed(row.arguments), t));
-        REQUIRE_THAT(found, IsClose(expected, of_superposition(scale)));
+        require_predicted<formula>(
+            found, expected, of_superposition(scale),
+            [&] {
+                return std::vector{a, b, between};
+            },
+            fmt::format("{} is affine in {}: the result for (1-t) a + t b is (1-t) times that for "
+                        "a plus t times that for b, here with t = {:.3g}",
+                        row.formula, listed(row.arguments), t));
     }
 }
 

@@ -4,6 +4,7 @@
 // nearly along the axis) does not change at all there. With inputs at -t, t, -T and T along one
 // path, f(t) - f(-t) is t/T times f(T) - f(-T), but for terms of the third order.
 #include "add_law.hpp"
+#include "own_answers.hpp"
 #include "special_arguments.hpp"
 #include "support/seeds.hpp"
 
@@ -25,14 +26,14 @@ constexpr std::string_view smooth =
     "relative_velocity impulse_matrix frictionless_impulse static_friction_impulse apply_impulse "
     "deviator isotropic_stress yield_strain smooth_stress";
 
-// The result at the distance t from special inputs, along a path that `random` draws.
-template <auto& formula>
-auto result_at(double t, Arguments<formula> arguments, const FormulaQuantities& of, Random random)
+// The arguments at the distance t from special ones, along a path that `random` draws.
+template <class Arguments>
+Arguments arguments_at(double t, Arguments arguments, const FormulaQuantities& of, Random random)
 {
     std::size_t k = 0;
     std::apply([&](auto&... one) { (nudge_argument(one, of.arguments[k++], t, random), ...); },
                arguments);
-    return std::apply(formula, arguments);
+    return arguments;
 }
 
 // A distance T, and the allowed error of the result as a share of the change t of the arguments.
@@ -52,7 +53,8 @@ template <FormulaIndex f, auto& formula> void check_smoothness()
     for (Random random : seeds(100)) {
         const Arguments<formula> arguments = special_arguments<f, formula>(random);
         const Random path(static_cast<unsigned>(random.bits()));
-        const auto at = [&](double t) { return result_at<formula>(t, arguments, of, path); };
+        const auto place = [&](double t) { return arguments_at(t, arguments, of, path); };
+        const auto at = [&](double t) { return std::apply(formula, place(t)); };
         const auto change_over = [&](double T) {
             auto change = at(T);
             each_pair(change, at(-T), of.result, false,
@@ -70,11 +72,15 @@ template <FormulaIndex f, auto& formula> void check_smoothness()
                 each_pair(
                     expected, changes[i], of.result, false,
                     [&](auto& a, const auto& change, const Quantity&) { a += part * change; });
-                INFO(fmt::format("{} changes evenly: if each argument changes by {:.1g}, the "
-                                 "result changes by {:.1g} of what it changes for arguments that "
-                                 "change by {:.1g}; the expected value is found in this way",
-                                 name_of(f), 2 * t, part, 2 * T));
-                REQUIRE_THAT(found, IsClose(expected, Order(share * t + rounding)));
+                require_predicted<formula>(
+                    found, expected, Order(share * t + rounding),
+                    [&] {
+                        return std::vector{place(-t), place(t), place(-T), place(T)};
+                    },
+                    fmt::format("{} changes evenly: if each argument changes by {:.1g}, the result "
+                                "changes by {:.1g} of what it changes for arguments that change by "
+                                "{:.1g}",
+                                name_of(f), 2 * t, part, 2 * T));
             }
         }
     }

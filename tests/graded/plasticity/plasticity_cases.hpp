@@ -38,6 +38,20 @@ inline Matrix3d turned(const Matrix3d& R, const Matrix3d& sigma)
     return (result + result.transpose()) / 2;
 }
 
+inline Matrix3d deviator_of(const Matrix3d& A)
+{
+    return A - A.trace() / 3 * Matrix3d::Identity();
+}
+
+/// √(½ ((a - b)² + (b - c)² + (c - a)²) + 3 (xy² + yz² + zx²)), where a, b, c are on the diagonal.
+inline double mises_of(const Matrix3d& A)
+{
+    const long double a = A(0, 0), b = A(1, 1), c = A(2, 2), xy = A(0, 1), yz = A(1, 2),
+                      zx = A(2, 0);
+    const long double differences = (a - b) * (a - b) + (b - c) * (b - c) + (c - a) * (c - a);
+    return static_cast<double>(std::sqrt(differences / 2 + 3 * (xy * xy + yz * yz + zx * zx)));
+}
+
 /// A symmetric matrix with entries in [-1, 1).
 inline Matrix3d random_symmetric(Random& random)
 {

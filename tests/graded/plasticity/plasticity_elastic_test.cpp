@@ -13,11 +13,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double mises_of(const Matrix3d& sigma)
-{
-    return std::sqrt(1.5) * (sigma - sigma.trace() / 3 * Matrix3d::Identity()).norm();
-}
-
 } // namespace
 
 TEST_CASE("plasticity: the stress of a strain by hand", "[A6.5][plasticity]")

@@ -15,16 +15,6 @@ namespace {
 
 using std::numbers::sqrt3;
 
-Matrix3d deviator_of(const Matrix3d& sigma)
-{
-    return sigma - sigma.trace() / 3 * Matrix3d::Identity();
-}
-
-double mises_of(const Matrix3d& sigma)
-{
-    return std::sqrt(1.5) * deviator_of(sigma).norm();
-}
-
 // The result of one step of flow of a solid with the plastic strain ε_p.
 struct Flow {
     Matrix3d increment;  // ε_p_new - ε_p

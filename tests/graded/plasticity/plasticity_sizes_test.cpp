@@ -30,11 +30,6 @@ struct Stretched {
     }
 };
 
-double mises_of(const Matrix3d& sigma)
-{
-    return std::sqrt(1.5) * (sigma - sigma.trace() / 3 * Matrix3d::Identity()).norm();
-}
-
 // From 2^-330, about 1e-99, to 2^330.
 std::vector<double> sizes()
 {
