@@ -229,10 +229,14 @@ private:
         const bool are_balls =
             world_.bodies[pair.body1].is_ball() && world_.bodies[pair.body2].is_ball();
         const auto pair_of = [](const ContactConstraint& c) { return BodyPair{c.body1, c.body2}; };
-        const auto contacts = std::ranges::equal_range(problem_.contacts, pair, {}, pair_of);
-        return std::ranges::any_of(contacts, [&](const ContactConstraint& c) {
-            return are_on_one_side(c.normal, normal) && !(are_balls && c.passes_by > 0);
-        });
+        const auto is_before = [&](const ContactConstraint& c, const BodyPair& other) {
+            return pair_of(c) < other;
+        };
+        const UninitializedVector<ContactConstraint>& contacts = problem_.contacts;
+        for (auto c = std::lower_bound(contacts.begin(), contacts.end(), pair, is_before);
+             c != contacts.end() && pair_of(*c) == pair; ++c)
+            if (are_on_one_side(c->normal, normal) && !(are_balls && c->passes_by > 0)) return true;
+        return false;
     }
 
     const World& world_;

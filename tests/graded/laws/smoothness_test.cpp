@@ -66,7 +66,7 @@ template <FormulaIndex f, auto& formula> void check_smoothness()
         for (const double t : {0x1p-14, 0x1p-20, 0x1p-26, 0x1p-32, 0x1p-38, 0x1p-40}) {
             const auto before = at(-t), found = at(t);
             for (int i = 0; i < 2; ++i) {
-                const auto& [T, share] = fars[i];
+                const double T = fars[i].T, share = fars[i].share;
                 const double part = t / T;
                 auto expected = before;
                 each_pair(
