@@ -84,7 +84,7 @@ void move_explicitly(const NodeMotion& motion)
     motion.rigid.begin_substeps();
     for (int k = 0; k < substeps; ++k) {
         const double time = motion.start + k * h;
-        hold_nodes(solid, time + h, h, work.held);
+        hold_nodes(solid, time + h, h, work.held, work.held_entries);
         for (const HeldNode& held : work.held)
             work.held_axes[held.node].axes = held.axes;
         const auto collide = [&](bool with_restitution) {

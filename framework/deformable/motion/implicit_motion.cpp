@@ -152,7 +152,7 @@ void move_implicitly(const NodeMotion& motion)
     Workspace& work = motion.work;
     const double h = motion.time_step;
     ++motion.counters.deformable_substeps;
-    hold_nodes(solid, motion.start + h, h, work.held);
+    hold_nodes(solid, motion.start + h, h, work.held, work.held_entries);
     for (const HeldNode& held : work.held)
         work.held_axes[held.node].axes = held.axes;
     work.contacts.measure(solid, motion.rigid);

@@ -25,6 +25,7 @@ struct Workspace : ElementWorkspace {
     // Buffers of a step.
     std::vector<Vector3d> forces;
     std::vector<HeldNode> held;
+    std::vector<int> held_entries;   // memory for `hold_nodes`
     std::vector<HeldAxes> held_axes; // for each node
     NodeContacts contacts;
 

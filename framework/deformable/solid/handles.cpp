@@ -42,10 +42,11 @@ void remember_first_places(Deformable& solid)
     }
 }
 
-void hold_nodes(const Deformable& solid, double time, double time_step, std::vector<HeldNode>& held)
+void hold_nodes(const Deformable& solid, double time, double time_step, std::vector<HeldNode>& held,
+                std::vector<int>& entries)
 {
     held.clear();
-    std::vector<int> entries(solid.positions.size(), -1); // for each node, its index in `held`
+    entries.assign(solid.positions.size(), -1); // for each node, its index in `held`
     for (const Handle& handle : solid.handles) {
         if (time > handle.release) continue;
         HandleMoment moment;

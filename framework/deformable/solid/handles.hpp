@@ -21,8 +21,9 @@ void remember_first_places(Deformable& solid);
 /// Sets `held` to the nodes that handles hold in the substep that ends at `time`, each once, with
 /// the velocities that take these nodes to their prescribed places. If several handles prescribe
 /// the same coordinate of a node, the last handle counts.
-void hold_nodes(const Deformable& solid, double time, double time_step,
-                std::vector<HeldNode>& held);
+/// @param entries  memory that is used again from call to call; its numbers mean nothing afterwards
+void hold_nodes(const Deformable& solid, double time, double time_step, std::vector<HeldNode>& held,
+                std::vector<int>& entries);
 
 /// Gives the held nodes their prescribed velocities, in the coordinates that are prescribed.
 void move_held(const std::vector<HeldNode>& held, std::vector<Vector3d>& velocities);
