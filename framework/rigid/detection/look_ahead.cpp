@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Looks for contacts that two shapes will have after their move in this step. The search for
 // contacts runs once more, with shape 1 after its move relative to shape 2. The gap of each contact
-// is then measured along the same normal before the move. At an edge of a box, the planes of the
-// faces are tried too.
+// is then measured along the same normal before the move. At an edge, the planes of flat sides are
+// tried too.
 #include "rigid/detection/look_ahead.hpp"
 
+#include "geometry/distance/support.hpp"
 #include "geometry/shapes/shape_bounds.hpp"
 #include "geometry/shapes/solid_mesh.hpp"
 #include "rigid/detection/shape_contacts.hpp"
@@ -72,86 +73,114 @@ void add_contacts_ahead(const Shape& shape1, const Pose& pose1, const Shape& sha
     }
 }
 
-// Whether a normal is that of a face of one of the two shapes that are boxes.
-bool is_of_face(const Vector3d& n, const Shape& shape1, const Pose& pose1, const Shape& shape2,
+// Whether a shape has flat sides with edges on which another shape may catch: a box, or a convex
+// mesh that does not stand for a round body.
+bool has_flat_sides(const Shape& shape)
+{
+    const Mesh* mesh = std::get_if<Mesh>(&shape);
+    return std::holds_alternative<Box>(shape) ||
+           (mesh && mesh->solid->is_convex() && mesh->solid->facet_angle() == 0);
+}
+
+// Whether the method for these two shapes does not look ahead, so that one of them may catch on an
+// edge of the other.
+bool may_catch(const Shape& shape1, const Shape& shape2)
+{
+    const auto is_box_or_sphere = [](const Shape& shape) {
+        return std::holds_alternative<Box>(shape) || std::holds_alternative<Sphere>(shape);
+    };
+    if (is_box_or_sphere(shape1) && is_box_or_sphere(shape2)) return false;
+    for (const Shape* shape : {&shape1, &shape2})
+        if (std::holds_alternative<Plane>(*shape) || is_concave(*shape)) return false;
+    return has_flat_sides(shape1) || has_flat_sides(shape2);
+}
+
+// The outward normals of the flat sides of a shape, in object space.
+std::vector<Vector3d> side_normals(const Shape& shape)
+{
+    std::vector<Vector3d> normals;
+    if (has_flat_sides(shape)) add_face_normals(shape, Vector3d::UnitY(), normals);
+    return normals;
+}
+
+// Whether a normal is that of a flat side of one of the two shapes.
+bool is_of_side(const Vector3d& n, const Shape& shape1, const Pose& pose1, const Shape& shape2,
                 const Pose& pose2)
 {
     constexpr double same = 1e-12; // 1 - n·n' of normals that count as equal: an angle of 1e-6
-    const auto is_face = [&](const Shape& shape, const Pose& pose) {
-        return std::holds_alternative<Box>(shape) &&
-               (pose.R.transpose() * n).cwiseAbs().maxCoeff() > 1 - same;
+    const auto has = [&](const Shape& shape, const Pose& pose, double sign) {
+        const Vector3d out = sign * (pose.R.transpose() * n);
+        const std::vector<Vector3d> normals = side_normals(shape);
+        return std::any_of(normals.begin(), normals.end(),
+                           [&](const Vector3d& side) { return side.dot(out) > 1 - same; });
     };
-    return is_face(shape1, pose1) || is_face(shape2, pose2);
+    return has(shape1, pose1, -1) || has(shape2, pose2, 1);
 }
 
-// Whether one of the shapes is a box, on whose edge the other may catch, since the method for these
-// two shapes does not look ahead.
-bool may_catch(const Shape& shape1, const Shape& shape2)
+// Whether a point that moves by m may pass over a flat side, seen along the normal n. The bounds of
+// the side and of the point's way are compared, with axes along and across the first edge.
+bool may_pass_over(const Feature& side, const Vector3d& n, const Vector3d& p, const Vector3d& m)
 {
-    const auto looks_ahead = [](const Shape& shape) {
-        return std::holds_alternative<Box>(shape) || std::holds_alternative<Sphere>(shape) ||
-               std::holds_alternative<Plane>(shape) || is_concave(shape);
-    };
-    return (std::holds_alternative<Box>(shape1) && !looks_ahead(shape2)) ||
-           (std::holds_alternative<Box>(shape2) && !looks_ahead(shape1));
+    const Vector3d along = side.points[1] - side.points[0];
+    for (const Vector3d& axis : {along, Vector3d(n.cross(along))}) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (int i = 0; i < side.count; ++i) {
+            low = std::min(low, axis.dot(side.points[i]));
+            high = std::max(high, axis.dot(side.points[i]));
+        }
+        const double start = axis.dot(p), end = start + axis.dot(m);
+        if (std::max(start, end) < low || std::min(start, end) > high) return false;
+    }
+    return true;
 }
 
-// A face of a box: its outward normal and its middle are y and the origin of this pose.
-Pose face_of(const Box& box, const Pose& pose, int axis, double side)
-{
-    Matrix3d R;
-    R << pose.R.col((axis + 2) % 3), side * pose.R.col(axis), pose.R.col((axis + 1) % 3);
-    return {R, pose * Vector3d(side * box.size[axis] / 2 * Vector3d::Unit(axis))};
-}
-
-// The contacts of a shape with the plane of the face of a box from which it is farthest after its
-// move, if it is not below this plane now by more than the slop. Contacts beside the face are left
-// out, unless the move brings them over it.
-// @param move  of the shape relative to the box
+// The contacts of a shape with the plane of a flat side of another one, of the side from which it
+// is farthest after its move, if it is not below this plane now by more than the slop. Contacts
+// beside the side are left out, unless the move brings them over it.
+// @param move  displacement of the shape relative to the other one
 // @param then  replaced by the distance from the plane after the move, if that is larger [m]
-// @return nothing if there is no face that is farther away after the move than `then`
-std::optional<Contacts> contacts_with_face(const Shape& shape, const Pose& pose, const Box& box,
-                                           const Pose& pose_of_box, const Vector3d& move,
+// @return nothing if there is no side that is farther away after the move than `then`
+std::optional<Contacts> contacts_with_side(const Shape& shape, const Pose& pose, const Shape& other,
+                                           const Pose& pose_of_other, const Vector3d& move,
                                            double reach, double slop, double& then)
 {
     std::optional<Contacts> best;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const double side : {-1., 1.}) {
-            const Pose face = face_of(box, pose_of_box, axis, side);
-            Contacts all;
-            find_plane_contacts(shape, pose, face, std::numeric_limits<double>::infinity(), all);
-            double now = std::numeric_limits<double>::infinity();
-            for (const Contact& c : all)
-                now = std::min(now, c.gap);
-            const double after = now + face.R.col(1).dot(move);
-            if (now < -slop || after <= then) continue;
-            then = after;
-            const double half_x = box.size[(axis + 2) % 3] / 2,
-                         half_z = box.size[(axis + 1) % 3] / 2;
-            const Vector3d m = face.R.transpose() * move;
-            std::erase_if(all, [&](const Contact& c) {
-                const Vector3d p = face.R.transpose() * (c.point - face.X);
-                return c.gap >= reach || std::max(p.x(), p.x() + m.x()) < -half_x ||
-                       std::min(p.x(), p.x() + m.x()) > half_x ||
-                       std::max(p.z(), p.z() + m.z()) < -half_z ||
-                       std::min(p.z(), p.z() + m.z()) > half_z;
-            });
-            best = all;
-        }
+    const Vector3d m = pose_of_other.R.transpose() * move;
+    for (const Vector3d& n : side_normals(other)) {
+        const Feature side = feature_towards(other, n);
+        if (side.count < 3) continue;
+        const Matrix3d R =
+            pose_of_other.R *
+            Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitY(), n).toRotationMatrix();
+        Contacts all;
+        find_plane_contacts(shape, pose, {R, pose_of_other * side.points[0]},
+                            std::numeric_limits<double>::infinity(), all);
+        double now = std::numeric_limits<double>::infinity();
+        for (const Contact& c : all)
+            now = std::min(now, c.gap);
+        const double after = now + n.dot(m);
+        if (now < -slop || after <= then) continue;
+        then = after;
+        std::erase_if(all, [&](const Contact& c) {
+            const Vector3d p = pose_of_other.R.transpose() * (c.point - pose_of_other.X);
+            return c.gap >= reach || !may_pass_over(side, n, p, m);
+        });
+        best = all;
+    }
     return best;
 }
 
 // The contact along whose normal the shapes would overlap most after their move, without those at
-// which a shape rests on a face; nothing if they would not overlap.
+// which a shape rests on a flat side; nothing if they would not overlap.
 std::optional<Contact> worst_after(const std::vector<Contact>& contacts, std::size_t first,
-                                   const Vector3d& move, double slop, const auto& is_face)
+                                   const Vector3d& move, double slop, const auto& is_side)
 {
     std::optional<Contact> worst;
     double least = 0;
     for (std::size_t k = first; k < contacts.size(); ++k) {
         const Contact& c = contacts[k];
         const double after = c.gap + c.normal.dot(move);
-        const bool rests = c.gap <= slop && after >= -slop && is_face(c.normal);
+        const bool rests = c.gap <= slop && after >= -slop && is_side(c.normal);
         if (rests || after >= least) continue;
         worst = c;
         least = after;
@@ -159,10 +188,10 @@ std::optional<Contact> worst_after(const std::vector<Contact>& contacts, std::si
     return worst;
 }
 
-// Replaces the contacts of a box and another shape, if the shapes would overlap after their move
+// Replaces the contacts of two shapes, if the shapes would overlap after their move
 // along the normal of an edge or corner, would overlap less along other normals, and do not overlap
 // along these now by more than the slop. The other contacts are those that the shapes have after
-// their move, or those with the plane of a face.
+// their move, or those with the plane of a flat side.
 void replace_edge_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                            const Pose& pose2, const MovingPair& pair, double reach,
                            Counters& counters, std::size_t first, Contacts& contacts)
@@ -172,10 +201,10 @@ void replace_edge_contacts(const Shape& shape1, const Pose& pose1, const Shape& 
     constexpr double farther = 1 + 1e-3;
     const Vector3d move = farther * pair.move;
     const double way = move.norm(), slop = slop_between(shape1, shape2);
-    const auto is_face = [&](const Vector3d& n) {
-        return is_of_face(n, shape1, pose1, shape2, pose2);
+    const auto is_side = [&](const Vector3d& n) {
+        return is_of_side(n, shape1, pose1, shape2, pose2);
     };
-    const std::optional<Contact> worst = worst_after(contacts, first, move, slop, is_face);
+    const std::optional<Contact> worst = worst_after(contacts, first, move, slop, is_side);
     if (!worst) return;
     double then = worst->gap + worst->normal.dot(move);
     Contacts after;
@@ -193,21 +222,19 @@ void replace_edge_contacts(const Shape& shape1, const Pose& pose1, const Shape& 
                 contacts.push_back({c.point - pair.point_share() * move, c.normal, now});
         return;
     }
-    // A face along whose normal the overlap is about as large would not be better.
+    // A side along whose normal the overlap is about as large would not be better.
     constexpr double noticeable = 1e-6;
     then += noticeable * way;
-    std::optional<Contacts> faced;
-    if (const Box* box2 = std::get_if<Box>(&shape2)) {
-        faced = contacts_with_face(shape1, pose1, *box2, pose2, move, reach, slop, then);
-    } else {
-        faced = contacts_with_face(shape2, pose2, std::get<Box>(shape1), pose1, -move, reach, slop,
-                                   then);
-        for (std::size_t k = 0; faced && k < faced->size(); ++k)
-            (*faced)[k].normal = -(*faced)[k].normal;
+    std::optional<Contacts> sides =
+        contacts_with_side(shape1, pose1, shape2, pose2, move, reach, slop, then);
+    if (auto of_1 = contacts_with_side(shape2, pose2, shape1, pose1, -move, reach, slop, then)) {
+        for (Contact& c : *of_1)
+            c.normal = -c.normal;
+        sides = of_1;
     }
-    if (!faced) return;
+    if (!sides) return;
     contacts.resize(first);
-    contacts.insert(contacts.end(), faced->begin(), faced->end());
+    contacts.insert(contacts.end(), sides->begin(), sides->end());
 }
 
 } // namespace

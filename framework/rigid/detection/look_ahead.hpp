@@ -29,11 +29,11 @@ struct MovingPair {
 ///    would move into the wall, and the position correction would lift the shape, which adds
 ///    energy. This is done only where it is worth its time: if the body of the concave shape is
 ///    still, or the other shape has a core (`has_core`).
-/// 2. One of the shapes is a box: the contacts with its edges and corners are replaced if there is
-///    a normal along which the shapes do not overlap now and will overlap less. So a shape that
-///    slides over the joint between two boxes stays on top of them, and does not run into the edge
-///    that belongs to the second box. (Two boxes, and a sphere and a box, have methods that look
-///    ahead.)
+/// 2. One of the shapes has flat sides (a box or a convex mesh): the contacts with its edges and
+///    corners are replaced if there is a normal along which the shapes do not overlap now and will
+///    overlap less. So a shape that slides over the joint between two boxes stays on top of them,
+///    and does not run into the edge that belongs to the second box. (Two boxes, and a sphere and a
+///    box, have methods that look ahead.)
 ///
 /// @param reach     contacts are closer than this [m]
 /// @param first     the contacts of these two shapes start at this index

@@ -3,7 +3,7 @@
 // around it: spheres, capsules and tori; other engines call such shapes rounded. The distance of
 // the other shape is sampled along the core, and each minimum of the samples is refined by golden
 // section search (Kiefer 1953). Spheres on a torus or a mesh have methods of their own. For a
-// capsule or a torus on a mesh, contacts at the points of the mesh are added.
+// capsule or a torus on a mesh that is not convex, contacts at the points of the mesh are added.
 #include "rigid/detection/shapes/core_contact.hpp"
 
 #include "geometry/shapes/solid_mesh.hpp"
@@ -294,7 +294,7 @@ void find_core_contacts(const Shape& shape1, const Pose& pose1, const Shape& sha
         return find_ball_mesh_contacts(core, *mesh->solid, field, pose2, reach, contacts);
     const std::size_t first = contacts.size();
     AlongCore(core, field, pose2, reach, contacts).find();
-    if (!mesh) return;
+    if (!mesh || mesh->solid->is_convex()) return;
     std::vector<Contact> points;
     find_point_contacts(shape1, pose1, *mesh->solid, pose2, reach, counters, points);
     constexpr double all = 1; // `share`: core contacts lie on shape 1, one whole gap from the mesh

@@ -21,8 +21,8 @@ namespace rigor {
 ///   * A capsule: at the ends of its segment, at local minima of the gap, and at the ends of the
 ///     parts along which the gap changes linearly, as above a flat face.
 ///   * A torus: at four or eight points spread evenly around its circle, and at other local minima.
-///   * A capsule or a torus with a mesh: also at points of the mesh, so that a peg in a hole has
-///     contacts on all sides.
+///   * A capsule or a torus with a mesh that is not convex: also at points of the mesh, so that a
+///     peg in a hole has contacts on all sides.
 ///
 /// A contact lies on the surface of shape 1, and its normal passes through the core. There are two
 /// exceptions. The contacts of a sphere with a torus lie in the middle of the gap. Contacts at
