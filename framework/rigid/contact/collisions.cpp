@@ -53,7 +53,7 @@ struct Candidates {
 // 1. Rotation moves the point towards the other body.
 // 2. `others` is above -negligible_share |turning_speed|: no approach, or a slow one.
 // 3. After a bounce with the speed `others`, the forces would close the contact again within this
-//    step: 2 others ≥ force_speed (see `is_over_in_the_step` in `collect`). This is so where
+//    step: 2 others ≥ force_speed (see `is_over_in_the_step`). This is so where
 //    gravity alone causes `others`. Or `others` is only a rounding error (`rounding_share`).
 bool only_turns(const ContactConstraint& c, double v_n)
 {
@@ -94,7 +94,7 @@ double unsupported_force_speed(const ContactProblem& problem, const Island& isla
             for (const ContactPair& pair : island.pairs)
                 for (int k = pair.first; k < pair.last; ++k) {
                     const ContactConstraint& o = problem.contacts[k];
-                    if (o.body1 != i && o.body2 != i) break; // nor are the others of this pair
+                    if (o.body1 != i && o.body2 != i) break; // a pair of other bodies
                     const double v_n = problem.velocity_at(o, o.point).dot(o.normal);
                     const bool holds = problem.predicted_gap(o, v_n + o.force_speed) < 0 &&
                                        2 * std::abs(v_n) < -o.force_speed;
