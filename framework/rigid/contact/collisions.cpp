@@ -53,8 +53,8 @@ struct Candidates {
 // 1. Rotation moves the point towards the other body.
 // 2. `others` is above -negligible_share |turning_speed|: no approach, or a slow one.
 // 3. After a bounce with the speed `others`, the forces would close the contact again within this
-//    step: 2 others ≥ force_speed (see `is_over_in_the_step`). This is so where
-//    gravity alone causes `others`. Or `others` is only a rounding error (`rounding_share`).
+//    step: 2 others ≥ force_speed (see `is_over_in_the_step`). This is so where gravity alone
+//    causes `others`. Or `others` is only a rounding error (`rounding_share`).
 bool only_turns(const ContactConstraint& c, double v_n)
 {
     const double others = v_n - c.turning_speed;

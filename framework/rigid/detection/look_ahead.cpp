@@ -188,10 +188,10 @@ std::optional<Contact> worst_after(const std::vector<Contact>& contacts, std::si
     return worst;
 }
 
-// Replaces the contacts of two shapes, if the shapes would overlap after their move
-// along the normal of an edge or corner, would overlap less along other normals, and do not overlap
-// along these now by more than the slop. The other contacts are those that the shapes have after
-// their move, or those with the plane of a flat side.
+// Replaces the contacts of two shapes under three conditions: after their move, the shapes would
+// overlap along the normal of an edge or corner; they would overlap less along other normals; and
+// now they do not overlap along these by more than the slop. The other contacts are those that the
+// shapes have after their move, or those with the plane of a flat side.
 void replace_edge_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                            const Pose& pose2, const MovingPair& pair, double reach,
                            Counters& counters, std::size_t first, Contacts& contacts)

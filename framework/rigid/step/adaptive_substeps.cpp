@@ -8,15 +8,12 @@
 // one after it.
 #include "rigid/step/adaptive_substeps.hpp"
 
-#include "geometry/bounds/bounds.hpp"
-#include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/impact.hpp"
 #include "rigid/step/overlap_depth.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace rigor {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Finds the contacts of shapes that are a core (a point, a segment or a circle) with a radius
 // around it: spheres, capsules and tori; other engines call such shapes rounded. The distance of
-// the other shape is sampled along the core, and each minimum of the samples is refined by golden
-// section search (Kiefer 1953). Spheres on a torus or a mesh have methods of their own. For a
+// the other shape is sampled along the core. Each minimum of the samples is refined by golden
+// section search (Kiefer 1953), and along a segment also each end of a part where the distance
+// changes linearly, by bisection. Spheres on a torus or a mesh have methods of their own. For a
 // capsule or a torus on a mesh that is not convex, contacts at the points of the mesh are added.
 #include "rigid/detection/shapes/core_contact.hpp"
 
