@@ -24,7 +24,7 @@ constexpr JudgedFile engine_files[] = {
      "kept: another method, Newton's, on the engine's own data", ""},
     {"framework/rigid/contact/solvers/newton_row.hpp", "A5.5",
      "kept: the projection onto the cone with its derivative; no sweep", ""},
-    {"framework/rigid/contact/one_at_a_time.cpp", "A5.2 A5.3 A5.4",
+    {"framework/rigid/contact/solvers/one_at_a_time.cpp", "A5.2 A5.3 A5.4",
      "kept: finds who rests on whom, and calls the formulas for the rest", ""},
     {"framework/rigid/motion/free_flight.cpp", "A3.15",
      "kept: the header of the formula has the same four lines", ""},

@@ -8,6 +8,7 @@
 #include "formulas/collision.hpp"
 #include "geometry/convex/extreme_points.hpp"
 #include "rigid/bodies/inlined_product.hpp"
+#include "rigid/contact/driven_bodies.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -238,8 +239,11 @@ void resolve(ContactProblem& problem, const Island& island)
 
 void process_collisions(ContactProblem& problem)
 {
-    for (const Island& island : problem.islands)
+    for (const Island& island : problem.islands) {
+        set_velocities_at_start(problem, island);
         resolve(problem, island);
+        reset_velocities(problem, island);
+    }
 }
 
 } // namespace rigor

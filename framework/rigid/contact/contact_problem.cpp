@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Computes quantities that several stages of contact need: first those of islands, then the
-// velocities and impulse matrices of contacts, then the velocities of driven bodies. Last comes the
-// change of the velocities by an impulse.
+// velocities and impulse matrices of contacts. Last comes the change of the velocities by an
+// impulse.
 #include "rigid/contact/contact_problem.hpp"
 
 #include "rigid/bodies/height_order.hpp"
@@ -27,35 +27,6 @@ double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
     const double sum = K.trace() - nKn;
     const double squares = K.squaredNorm() - 2 * Kn.squaredNorm() + nKn * nKn;
     return (sum + std::sqrt(std::max(0.0, 2 * squares - sum * sum))) / 2;
-}
-
-// The bodies of an island that touch a driven body: their mean velocity, and the mean normal of
-// their contacts. A body with several contacts counts once for each of its contacts.
-struct Touching {
-    Vector3d velocity = Vector3d::Zero(); // without the part of v₁ - v₂ along the normal [m/s]
-    Vector3d normal = Vector3d::Zero();   // unit, away from the driven body; or zero: no normal
-};
-
-Touching touching(const ContactProblem& problem, std::span<const Body> first, const Island& island,
-                  int driven)
-{
-    Touching mean;
-    int count = 0;
-    for (const ContactPair& pair : island.pairs)
-        for (int i = pair.first; i < pair.last; ++i) {
-            const ContactConstraint& c = problem.contacts[i];
-            if (c.body1 != driven && c.body2 != driven) continue;
-            const bool is_first = c.body1 == driven;
-            const double v_n = problem.velocity_between(first, c, c.point).dot(c.normal);
-            const Vector3d n = is_first ? Vector3d(-c.normal) : c.normal;
-            mean.velocity += first[is_first ? c.body2 : c.body1].velocity - v_n * n;
-            mean.normal += n;
-            ++count;
-        }
-    if (count > 0) mean.velocity /= count;
-    const double length = mean.normal.norm();
-    if (length > 0) mean.normal /= length;
-    return mean;
 }
 
 } // namespace
@@ -199,23 +170,6 @@ void ContactProblem::set_impulse_matrix(ContactConstraint& c) const
     c.K = impulse_matrix_at(c, c.point);
     c.normal_K = c.normal.dot(optimised::product(c.K, c.normal));
     c.tangential_K = tangential_eigenvalue(c.K, c.normal);
-}
-
-void ContactProblem::set_drives(const Island& island, std::span<const Body> first)
-{
-    for (const auto& [body, mean, last] : driven) {
-        const auto [V, n] = touching(*this, first, island, body);
-        if (n.isZero(0)) continue;
-        const Vector3d carried = time_step * mean.angular.cross(V - last.linear);
-        const Vector3d along = last.linear + carried - mean.linear;
-        bodies[body].velocity = mean.linear + along - n.dot(along) * n;
-    }
-}
-
-void ContactProblem::reset_drives()
-{
-    for (const auto& [body, mean, last] : driven)
-        bodies[body].velocity = mean.linear;
 }
 
 void ContactProblem::apply(const ContactConstraint& c, const Vector3d& x, const Vector3d& j)

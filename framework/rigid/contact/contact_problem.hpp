@@ -70,6 +70,19 @@ struct IndexRange {
     int first = 0, last = 0;
 };
 
+/// The frame in which an island is solved if a driven body that it touches changes its velocity
+/// within the step (driven_bodies.hpp): the frame moves with the driven body. Both vectors are zero
+/// if the island is solved in the world.
+struct MovingFrame {
+    // The mean velocity of the driven body minus its velocity at the start of the step, and its
+    // velocity at the end minus its mean velocity [m/s].
+    Vector3d mean_minus_first = Vector3d::Zero(), last_minus_mean = Vector3d::Zero();
+
+    /// The change of the velocity of the driven body in this step [m/s].
+    Vector3d change() const { return mean_minus_first + last_minus_mean; }
+    bool is_world() const { return mean_minus_first.isZero(0) && last_minus_mean.isZero(0); }
+};
+
 /// Bodies that are not static and that are connected by contacts, directly or through other such
 /// bodies. If the optimization `islands` is off, all bodies that have contacts and are not static
 /// form one island.
@@ -81,6 +94,7 @@ struct Island {
     // A smaller island has a single block. Before `split_into_blocks` there are no blocks.
     std::vector<IndexRange> blocks; // ranges of `pairs`
     std::vector<IndexRange> colors; // ranges of `blocks`; blocks of a color share no moving body
+    MovingFrame frame;              // set by `enter_moving_frames` (driven_bodies.hpp)
 };
 
 std::size_t contact_count(std::span<const ContactPair> pairs);
@@ -94,16 +108,11 @@ inline constexpr std::size_t few_bodies = 8;
 /// either more than 256 bodies or many pairs of touching bodies for their number.
 bool is_pile(const Island& island);
 
-/// A driven body that has contacts: its mean velocity over the step, and its velocity at the end.
-///
-/// In the contact stage (`ContactProblem::set_drives`), a driven body moves along the normal of its
-/// contacts with its mean velocity, so that other bodies do not end up inside it. Along the
-/// surface, its points move with their velocity at the end of the step. If they moved with their
-/// velocity at the start of the step, a body on a turntable would move along tangents and drift
-/// outwards.
+/// A driven body that has contacts: its velocity at the start of the step, its mean velocity over
+/// the step, and its velocity at the end.
 struct DrivenBody {
     int body = 0;
-    DriveVelocity mean, last;
+    DriveVelocity first, mean, last;
 };
 
 /// Kinetic energy of a body or of several bodies, as seen from a frame with the velocity V [J].
@@ -163,17 +172,6 @@ struct ContactProblem {
     Matrix3d impulse_matrix_at(const ContactConstraint& contact, const Vector3d& x) const;
     /// Computes K, `normal_K` and `tangential_K` of a contact.
     void set_impulse_matrix(ContactConstraint& contact) const;
-    /// Sets the velocities of the driven bodies that an island touches, for the contact stage of
-    /// this island. Along the mean normal of its contacts, a driven body keeps its mean velocity.
-    /// Along the surface it gets V_d + h ω × (V - V_d), where V_d is its velocity at the end of the
-    /// step, ω its mean angular velocity, h the time step, and V the mean velocity of the bodies
-    /// that touch it. The reason: in the step, the contact points move over its surface by
-    /// h (V - V_d), so the velocity of the surface at these points changes by h ω × (V - V_d).
-    /// @param first  the bodies before the forces. The velocities after the forces would be wrong
-    ///               here, because contacts have not yet stopped the fall of a body at rest.
-    void set_drives(const Island& island, std::span<const Body> first);
-    /// Gives all driven bodies their mean velocities again.
-    void reset_drives();
     /// Applies the impulse j at x to body 1 and -j at x to body 2 [N s].
     void apply(const ContactConstraint& contact, const Vector3d& x, const Vector3d& j);
     /// Applies the impulse j at the point x to one body, which is a body of this problem or a

@@ -46,7 +46,8 @@ void take_bodies(const World& world, std::span<const RigidState> flown,
         if (touches[i]) touching.push_back(i);
     for (int i : touching)
         if (const auto& drive = world.bodies[i].drive)
-            problem.driven.push_back({i, mean_drive_velocity(*drive, world.time, problem.time_step),
+            problem.driven.push_back({i, drive_velocity(*drive, world.time),
+                                      mean_drive_velocity(*drive, world.time, problem.time_step),
                                       drive_velocity(*drive, world.time + problem.time_step)});
     problem.bodies.resize(world.bodies.size());
     after_forces.resize(world.bodies.size());

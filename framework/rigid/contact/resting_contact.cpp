@@ -6,9 +6,10 @@
 #include "rigid/contact/resting_contact.hpp"
 
 #include "rigid/contact/active_contacts.hpp"
+#include "rigid/contact/driven_bodies.hpp"
 #include "rigid/contact/load_estimate.hpp"
-#include "rigid/contact/one_at_a_time.hpp"
 #include "rigid/contact/solvers/island_solver.hpp"
+#include "rigid/contact/solvers/one_at_a_time.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -89,10 +90,10 @@ void resolve(ContactProblem& problem, const Island& island)
 void process_contact(ContactProblem& problem, std::span<const Body> first)
 {
     for (const Island& island : problem.islands) {
-        problem.set_drives(island, first);
+        set_velocities_at_end(problem, island, first);
         resolve(problem, island);
+        reset_velocities(problem, island);
     }
-    problem.reset_drives();
 }
 
 } // namespace rigor

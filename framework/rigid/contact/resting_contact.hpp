@@ -12,7 +12,7 @@ namespace rigor {
 /// The methods `built_in` and `simultaneous` solve all contacts of an island at once
 /// (solvers/island_solver.hpp). They start from the impulses of the previous step (warm start) or
 /// from `estimate_loads` (load_estimate.hpp). The other methods resolve one contact at a time
-/// (one_at_a_time.hpp).
+/// (solvers/one_at_a_time.hpp).
 ///
 /// In a world without gravity, a target speed above 0 corrects penetration, which adds energy. An
 /// island is corrected in this step only if its contacts take away at least as much energy, or if

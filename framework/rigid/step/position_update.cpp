@@ -3,7 +3,8 @@
 // flight, with its velocity after the contact stage. In some islands (`by_mean`), it flies with the
 // mean of this velocity and that after the collision stage. If the body only bounced and no spring,
 // force or drag pulls it, it flies with its velocity after the collision stage, and this flight
-// adds gravity. The displacements of the position correction are added last.
+// adds gravity. The displacements of the position correction are added last. Velocities in a moving
+// frame (contact/driven_bodies) become velocities in the world.
 #include "rigid/step/position_update.hpp"
 
 #include "formulas/rotation.hpp"
@@ -50,7 +51,8 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
 {
     Counters& counters = world.counters;
     const std::vector<Impulses> impulses = impulses_of(problem);
-    const auto move = [&](int i, bool by_mean_velocity, Counters& counted) {
+    const auto move = [&](int i, bool by_mean_velocity, const MovingFrame& frame,
+                          Counters& counted) {
         const bool is_displaced = !displacements.empty() && !displacements[i].is_zero();
         const auto [has_bounced, has_contact_impulse] = impulses[i];
         if (!has_bounced && !has_contact_impulse) { // keep `states[i]`, the state after free flight
@@ -62,6 +64,7 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
         const Body& body = flies ? after_collisions[i] : problem.bodies[i];
         RigidState state = world.bodies[i].state;
         state.velocity = body.velocity;
+        if (flies) state.velocity -= frame.mean_minus_first;
         state.angular_momentum = body.angular_momentum;
         require_finite(world.bodies[i], state, world.time + problem.time_step);
         const bool is_mean = by_mean_velocity && !flies;
@@ -76,6 +79,7 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
             states[i].velocity = body.velocity;
             states[i].angular_momentum = body.angular_momentum;
         }
+        if (!flies) states[i].velocity += frame.last_minus_mean;
         if (is_displaced) displace(states[i], displacements[i]);
     };
     for (std::size_t k = 0; k < problem.islands.size(); ++k) {
@@ -84,7 +88,7 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
         fly_in_parallel(*problem.pool, island.bodies.size(), counters,
                         [&](std::size_t first, std::size_t last, Counters& counted) {
                             for (std::size_t at = first; at < last; ++at)
-                                move(island.bodies[at], by_mean_velocity, counted);
+                                move(island.bodies[at], by_mean_velocity, island.frame, counted);
                         });
         // The stage of free flight counted a flight for every body of the island. Only the
         // flights of bodies without an impulse should count, and `move` has counted these flights a

@@ -11,6 +11,7 @@
 
 #include "rigid/bodies/non_finite.hpp"
 #include "rigid/contact/collisions.hpp"
+#include "rigid/contact/driven_bodies.hpp"
 #include "rigid/contact/make_problem.hpp"
 #include "rigid/contact/position_correction.hpp"
 #include "rigid/contact/resting_contact.hpp"
@@ -41,12 +42,15 @@ std::vector<RigidState> free_flight(World& world, const std::vector<bool>& pulle
     return flown;
 }
 
-// Adds the changes of velocity and angular momentum by the forces, as free flight computed them.
+// Adds the changes of velocity and angular momentum by the forces, as free flight computed them. In
+// a moving frame, also adds the change of the velocity by the fictitious force.
 void apply_forces(ContactProblem& problem, const World& world, const std::vector<RigidState>& flown)
 {
     for (const Island& island : problem.islands)
-        for (int i : island.bodies)
+        for (int i : island.bodies) {
             problem.bodies[i] = with_forces(problem.bodies[i], world.bodies[i].state, flown[i]);
+            problem.bodies[i].velocity -= island.frame.change();
+        }
 }
 
 // The step of a whole world is halved at most this many times in a row, so it has at most 2⁶ parts.
@@ -110,13 +114,15 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, int divi
         return finish_step(world, time_step, {std::move(flown), {}, {}});
 
     ContactProblem problem = make_problem(world, flown, candidates, time_step, pool);
+    enter_moving_frames(problem);
     process_collisions(problem);
-    const std::vector<Body> after_collisions = problem.bodies;
+    std::vector<Body> after_collisions = problem.bodies;
     apply_forces(problem, world, flown);
     process_contact(problem, after_collisions);
     const std::vector<char> by_mean =
         moves_by_mean_velocity(world, after_collisions, flown, candidates.poses, problem);
     const std::vector<Displacement> displacements = position_corrections(problem);
+    leave_unheld_frames(problem, after_collisions);
 
     StepResult result{flown, {}, {}};
     update_positions(world, problem, pulled, after_collisions, by_mean, displacements,

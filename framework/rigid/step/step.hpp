@@ -24,19 +24,20 @@
 //                                                 impulse matrices
 //   warm start          memory                    initial impulses     contact/warm_start
 //   blocks              large islands             blocks, colors       contact/blocks
+//   moving frames       drives                    velocities, frames   contact/driven_bodies
 // 3 collisions          velocities before forces, velocities, impulses contact/collisions
 //                       gaps
 // 4 velocities          flown states              velocities           step/step, `apply_forces`
 // 5 contact, friction   velocities, gaps          velocities, impulses contact/resting_contact
-//   set drives          drives, velocities        velocities of drives contact/contact_problem,
-//                       before forces                                  `set_drives`
+//   set drives          drives, velocities        velocities of drives contact/driven_bodies
+//                       before forces
 //   choose contacts     gaps, impulse matrices    target speeds        contact/active_contacts
 //   load estimate       weights (no warm start)   initial impulses     contact/load_estimate
-//   solve               initial impulses          velocities, impulses contact/solvers/ or
-//                                                                      contact/one_at_a_time
+//   solve               initial impulses          velocities, impulses contact/solvers/
 //   solve again         contacts in mid-step      velocities, impulses step/mean_velocity,
 //                                                 contacts             step/midpoint_contact
 // 6 position correction gaps, velocities          displacements        contact/position_correction
+//   leave frames        impulses, frames          velocities           contact/driven_bodies
 // 7 positions           velocities, displacements states               step/position_update
 // 8 refine              states, contacts, memory  states, records      step/impact,
 //                                                                      step/adaptive_substeps
@@ -66,10 +67,10 @@
 // with its own law (`projected` in newton_row). If a scene turns the optimization
 // `optimised_formulas` off, the reference is treated as any other implementation. The contact
 // methods `one_at_a_time` and `shock_propagation` always call formulas of topic `contact`, from
-// contact/one_at_a_time. Stage 3 calls `collision_impulse` with any implementation and any contact
-// method, but under `simultaneous` it leaves contacts with ε = 0 to stage 5. The impulses from
-// which sweeps start are put into the friction cone where they are made: in contact/warm_start and
-// contact/load_estimate.
+// contact/solvers/one_at_a_time. Stage 3 calls `collision_impulse` with any implementation and any
+// contact method, but under `simultaneous` it leaves contacts with ε = 0 to stage 5. The impulses
+// from which sweeps start are put into the friction cone where they are made: in contact/warm_start
+// and contact/load_estimate.
 //
 // In a world with deformable solids, deformable/step/step.cpp moves the solids first and then calls
 // this step. Their nodes have friction and position correction of their own: `collide_nodes` and

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rigid/contact/one_at_a_time.hpp"
+#include "rigid/contact/solvers/one_at_a_time.hpp"
 
 #include "formulas/contact.hpp"
 #include "framework/rigid/contact/hand_made.hpp"

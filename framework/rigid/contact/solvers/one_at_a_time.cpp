@@ -3,7 +3,7 @@
 // Fedkiw 2003). First `resolve_contacts` runs. With shock propagation, each body then gets a level,
 // and the contacts are resolved level by level, while the bodies of lower levels keep their
 // velocities.
-#include "rigid/contact/one_at_a_time.hpp"
+#include "rigid/contact/solvers/one_at_a_time.hpp"
 
 #include "formulas/contact.hpp"
 #include "rigid/contact/load_estimate.hpp"
