@@ -240,6 +240,10 @@ void resolve(ContactProblem& problem, const Island& island)
 void process_collisions(ContactProblem& problem)
 {
     for (const Island& island : problem.islands) {
+        if (island.frame.is_world()) {
+            resolve(problem, island);
+            continue;
+        }
         set_velocities_at_start(problem, island);
         resolve(problem, island);
         reset_velocities(problem, island);

@@ -95,6 +95,10 @@ struct Island {
     std::vector<IndexRange> blocks; // ranges of `pairs`
     std::vector<IndexRange> colors; // ranges of `blocks`; blocks of a color share no moving body
     MovingFrame frame;              // set by `enter_moving_frames` (driven_bodies.hpp)
+    // If the only impulse in the island is a hit after which the bodies stay together: the time of
+    // the impact since the start of the step [s]. Otherwise 0. Set by `bounce_at_impacts`
+    // (step/impact.hpp).
+    double lands_at = 0;
 };
 
 std::size_t contact_count(std::span<const ContactPair> pairs);

@@ -5,15 +5,22 @@
 #include "rigid/contact/driven_bodies.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace rigor {
 
 namespace {
 
+// The frame of a driven body; that of the world if its velocity changes only by rounding errors.
 MovingFrame frame_of(const DrivenBody& driven)
 {
-    return {driven.mean.linear - driven.first.linear, driven.last.linear - driven.mean.linear};
+    constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+    const Vector3d &first = driven.first.linear, &mean = driven.mean.linear,
+                   &last = driven.last.linear;
+    const double most = rounding * (first.norm() + mean.norm() + last.norm());
+    if ((mean - first).norm() <= most && (last - mean).norm() <= most) return {};
+    return {mean - first, last - mean};
 }
 
 // The static or driven body with this index. Without a drive, all its velocities are zero.
@@ -86,21 +93,38 @@ MovingFrame choose_frame(const ContactProblem& problem, const Island& island)
     return {};
 }
 
-// Gives the bodies and contacts of the island their velocities in its frame at the start.
-void enter_frame(ContactProblem& problem, const Island& island)
+// Adds to the force speeds of the contacts with static and driven bodies what the fictitious force
+// adds to the displacement in the step, divided by the time step.
+// @param sign  1, or -1 to subtract it again
+void add_fictitious_force(ContactProblem& problem, const Island& island, double sign)
 {
-    const MovingFrame& frame = island.frame;
-    for (const int i : island.bodies)
-        problem.bodies[i].velocity += frame.mean_minus_first;
     for (const ContactPair& pair : island.pairs)
         for (int i = pair.first; i < pair.last; ++i) {
             ContactConstraint& c = problem.contacts[i];
             const bool is_static1 = problem.bodies[c.body1].is_static();
             if (!is_static1 && !problem.bodies[c.body2].is_static()) continue;
             const Vector3d n = is_static1 ? Vector3d(-c.normal) : c.normal;
-            c.force_speed -= n.dot(frame.change());
-            c.free_speed -= n.dot(frame.last_minus_mean);
+            c.force_speed -= sign * n.dot(island.frame.mean_minus_first);
         }
+}
+
+void enter_frame(ContactProblem& problem, const Island& island)
+{
+    for (const int i : island.bodies)
+        problem.bodies[i].velocity += island.frame.mean_minus_first;
+    add_fictitious_force(problem, island, 1);
+}
+
+// Gives bodies and contacts their velocities in the world again.
+// @param first  the bodies before the forces
+void leave_frame(ContactProblem& problem, std::vector<Body>& first, Island& island)
+{
+    for (const int i : island.bodies) {
+        first[i].velocity -= island.frame.mean_minus_first;
+        problem.bodies[i].velocity += island.frame.last_minus_mean;
+    }
+    add_fictitious_force(problem, island, -1);
+    island.frame = {};
 }
 
 // The bodies of an island that touch a static or driven body: their mean velocity, and the mean
@@ -187,19 +211,19 @@ void enter_moving_frames(ContactProblem& problem)
 
 void leave_unheld_frames(ContactProblem& problem, std::vector<Body>& first)
 {
-    for (Island& island : problem.islands) {
-        if (island.frame.is_world() || is_held(problem, island)) continue;
-        for (const int i : island.bodies) {
-            first[i].velocity -= island.frame.mean_minus_first;
-            problem.bodies[i].velocity += island.frame.last_minus_mean;
-        }
-        island.frame = {};
-    }
+    for (Island& island : problem.islands)
+        if (!island.frame.is_world() && !is_held(problem, island))
+            leave_frame(problem, first, island);
+}
+
+void leave_moving_frames(ContactProblem& problem, std::vector<Body>& first)
+{
+    for (Island& island : problem.islands)
+        if (!island.frame.is_world()) leave_frame(problem, first, island);
 }
 
 void set_velocities_at_start(ContactProblem& problem, const Island& island)
 {
-    if (island.frame.is_world()) return;
     for (const DrivenBody& ground : moving_grounds(problem, island)) {
         const Vector3d n = touching(problem, problem.bodies, island, ground.body).normal;
         if (n.isZero(0)) continue;

@@ -9,28 +9,38 @@ namespace rigor {
 /// A driven body moves along the normals of its contacts with its mean velocity over the step, so
 /// that other bodies do not end up inside it. If its velocity changes within the step, as that of a
 /// table that is shaken, other bodies have to follow the change. Therefore an island that touches
-/// such a body is solved in the frame that moves with it. Let V₀ be the velocity of the driven body
-/// at the start of the step, V̄ its mean velocity and V₁ its velocity at the end. A body with the
-/// velocity v at the start has the velocity v - V₀ in the frame. The solver gives it the velocity
-/// v' = (v - V₀) + V̄, which moves it in a step just as far as the frame and its velocity in the
-/// frame do. During the step, the fictitious force changes its velocity by -(V₁ - V₀) (d'Alembert
-/// 1743). At the end its velocity in the world is v' + (V₁ - V̄).
+/// such a body is solved in a frame that moves along with the body and does not rotate. With the
+/// velocity V₀ of the driven body at the start of the step, its mean velocity V̄, and its velocity
+/// V₁ at the end, a velocity v of another body becomes
 ///
-/// An island stays in the world if it also touches a static or driven body that moves along the
-/// normal of their contact as seen from the frame and in another way than with its mean velocity,
-/// for example where a piston presses a block against a wall.
+///                 in the world    in the frame    in the solver
+///     at start    v               v - V₀          v - V₀ + V̄
+///     at end      v               v - V₁          v - V₁ + V̄
 ///
-/// Sets `Island::frame`, and gives bodies and contacts their velocities at the start in this frame.
+/// The solver adds V̄ because its velocities have to give the displacements in the world. Besides
+/// the other forces, the fictitious force changes the velocity by -(V₁ - V₀) (d'Alembert 1743).
+///
+/// An island stays in the world if it also touches another static or driven body that has an
+/// acceleration along the normal of this contact, as seen from the frame. This is so where a piston
+/// presses a block against a wall. Contacts that are open, and stay open without impulses, do not
+/// count.
+///
+/// Sets `Island::frame`, and changes the velocities of the island's bodies and the force speeds of
+/// its contacts.
 void enter_moving_frames(ContactProblem& problem);
 
-/// Takes those islands back to the world that no driven body holds: in a moving frame, bodies in
-/// free flight would move on curves.
+/// Returns an island to the world if no driven body gave it an impulse. In a moving frame, the
+/// solver would move bodies in free flight along curves.
 /// @param first  the bodies before the forces
 void leave_unheld_frames(ContactProblem& problem, std::vector<Body>& first);
 
+/// Returns all islands to the world.
+/// @param first  the bodies before the forces
+void leave_moving_frames(ContactProblem& problem, std::vector<Body>& first);
+
 /// Sets the velocities of the static and driven bodies that an island touches, for the collision
-/// stage. Along the mean normal of its contacts, such a body keeps its mean velocity. Along the
-/// surface it gets its velocity at the start of the step, if the island is in a moving frame.
+/// stage of an island in a moving frame. Along the mean normal of its contacts, such a body keeps
+/// its mean velocity. Along the surface it gets its velocity at the start of the step.
 void set_velocities_at_start(ContactProblem& problem, const Island& island);
 
 /// Sets the velocities of the static and driven bodies that an island touches, for the contact

@@ -141,6 +141,11 @@ struct Division {
     bool is_apart = true; // whether `time` is not nearly 0, see `apart` in `first_impact`
 };
 
+constexpr double just_before = 1 - 1e-9; // so that the bounce lies in the later part
+// If a bounce is nearer to the start than this share of the step, an earlier division has already
+// predicted it, and this division only corrects the time.
+constexpr double apart = 1e-6;
+
 // The first bounce that divides the step. Bounces with ε > 0 of these pairs count:
 // 1. Two moving balls.
 // 2. A ball and a static body, in an island of at most `few_bodies` bodies where several pairs
@@ -154,13 +159,9 @@ struct Division {
 // converges quadratically.
 Division first_impact(const World& world, const ContactProblem& problem, const Island& island)
 {
-    constexpr double just_before = 1 - 1e-9; // so that the bounce lies in the later part
     // A bounce at the start of the step changes the times of the other bounces. So the first
     // part of the step, with this share of its length, contains only this bounce.
     constexpr double alone = 1e-9;
-    // If a bounce is nearer to the start than this share of the step, an earlier division has
-    // already predicted it, and this division only corrects the time.
-    constexpr double apart = 1e-6;
     const auto count = [&](bool (*holds)(const ContactProblem&, const ContactPair&)) {
         return std::count_if(island.pairs.begin(), island.pairs.end(),
                              [&](const ContactPair& pair) { return holds(problem, pair); });
@@ -236,7 +237,10 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
         const double h = problem.time_step;
         const bool is_at_limit = divisions >= most_divisions;
         if (is_at_limit && island.bodies.size() > few_bodies) continue;
-        const auto [impact, is_free, is_apart] = first_impact(world, problem, island);
+        const bool lands = island.lands_at > apart * h;
+        const auto [impact, is_free, is_apart] =
+            lands ? Division{just_before * island.lands_at, true, true}
+                  : first_impact(world, problem, island);
         if (is_at_limit && !is_apart) continue;
         const bool is_halved =
             impact == 0 && !is_at_limit &&

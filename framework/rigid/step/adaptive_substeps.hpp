@@ -41,6 +41,9 @@ inline constexpr int most_divisions_of_few = 400;
 /// 3. In an island of at most `few_bodies` bodies, several pairs bounce, among them a ball and a
 ///    static body with ε > 0, and no contact carries a load. The step is divided at the first
 ///    impact.
+/// 4. The only impulse in the island is a hit after which the two bodies stay together, as at ε = 0
+///    under gravity (`Island::lands_at`). The step is divided at the time of impact, because the
+///    bodies would be stopped at the start of the step otherwise, before they touch.
 ///
 /// In cases 2 and 3, a bounce does not count if `bounce_at_impacts` (impact.hpp) has already moved
 /// it to its time of impact.

@@ -231,12 +231,13 @@ bool bounced_on_two_sides(const ContactProblem& problem, const ContactPair& pair
 
 // Lets the pair bounce at its time of impact. Changes the states of the pair unless it returns
 // nothing.
+// @param lands_at  is set to the time of impact if the bodies would meet again in the rest of the
+//                  step
 // @return the contacts with their impulses; an empty list if the computed time of impact is not
 //         before the end of this step; or nothing if no single bounce within the step was found
-std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
-                                                           const ContactProblem& problem,
-                                                           const ContactPair& contacts,
-                                                           std::vector<RigidState>& states)
+std::optional<std::vector<ContactRecord>>
+bounce_at_impact(const World& world, const ContactProblem& problem, const ContactPair& contacts,
+                 std::vector<RigidState>& states, double& lands_at)
 {
     if (bounced_on_two_sides(problem, contacts)) return std::nullopt;
     const double h = problem.time_step;
@@ -261,7 +262,10 @@ std::optional<std::vector<ContactRecord>> bounce_at_impact(const World& world,
     if (impact.islands.size() != 1) return std::nullopt;
     process_collisions(impact);
     std::vector<ContactRecord> records = records_of_bounce(impact, c);
-    if (records.empty()) return std::nullopt;
+    if (records.empty()) {
+        lands_at = pair->time;
+        return std::nullopt;
+    }
     fly_on(*pair, impact, c, rest, states);
     return records;
 }
@@ -330,19 +334,27 @@ std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem&
                                              std::vector<RigidState>& states)
 {
     std::vector<ContactRecord> records;
-    for (const Island& island : problem.islands)
+    for (Island& island : problem.islands) {
+        const auto has_impulse = [&](const ContactPair& pair) {
+            return bounced(problem, pair) || carries_load(problem, pair);
+        };
+        const bool is_only_pair =
+            std::count_if(island.pairs.begin(), island.pairs.end(), has_impulse) == 1;
         for (const ContactPair* pair : lone_bounces(world, problem, island)) {
             const ContactConstraint& c = problem.contacts[pair->first];
             const auto moves_otherwise = [&](int i) {
                 return pulled[i] || (!displacements.empty() && !displacements[i].is_zero());
             };
             if (moves_otherwise(c.body1) || moves_otherwise(c.body2)) continue;
-            const auto found = bounce_at_impact(world, problem, *pair, states);
+            double lands_at = 0;
+            const auto found = bounce_at_impact(world, problem, *pair, states, lands_at);
+            if (is_only_pair) island.lands_at = lands_at;
             if (!found) continue;
             records.insert(records.end(), found->begin(), found->end());
             for (int i = pair->first; i < pair->last; ++i)
                 problem.contacts[i].collision_impulse.setZero();
         }
+    }
     return records;
 }
 

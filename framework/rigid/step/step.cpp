@@ -127,6 +127,7 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, int divi
     StepResult result{flown, {}, {}};
     update_positions(world, problem, pulled, after_collisions, by_mean, displacements,
                      result.states);
+    leave_moving_frames(problem, after_collisions);
     result.records = bounce_at_impacts(world, problem, pulled, displacements, result.states);
     const Refinement refined = refine_by_substeps(world, problem, pulled, candidates, result.states,
                                                   divisions, step_divided);

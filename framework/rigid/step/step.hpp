@@ -86,7 +86,7 @@
 //   Gottschalk, Lin and Manocha (1996)               boxes, detection/shapes/box_box
 //   Guendelman, Bridson and Fedkiw (2003)            level sets, detection/shapes/mesh_contact
 // 3 Guendelman, Bridson and Fedkiw (2003)            contact/collisions
-// 5 Guendelman, Bridson and Fedkiw (2003)            contact/one_at_a_time
+// 5 Guendelman, Bridson and Fedkiw (2003)            contact/solvers/one_at_a_time
 //   Jean (1999), Erleben (2007)                      sweeps, contact/solvers/optimised_sweeps
 //   Silcowitz-Hansen, Niebe and Erleben (2010)       their acceleration, contact/solvers/run_sweeps
 //   Alart and Curnier (1991)                         contact/solvers/newton_contact
