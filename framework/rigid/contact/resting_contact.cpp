@@ -87,13 +87,11 @@ void resolve(ContactProblem& problem, const Island& island)
 
 } // namespace
 
-void process_contact(ContactProblem& problem, std::span<const Body> first)
+void process_contact(ContactProblem& problem, const Island& island, std::span<const Body> first)
 {
-    for (const Island& island : problem.islands) {
-        set_velocities_at_end(problem, island, first);
-        resolve(problem, island);
-        reset_velocities(problem, island);
-    }
+    set_velocities_at_end(problem, island, first);
+    resolve(problem, island);
+    reset_velocities(problem, island);
 }
 
 } // namespace rigor

@@ -5,9 +5,10 @@
 
 namespace rigor {
 
-/// The contact stage of the time step by Guendelman, Bridson and Fedkiw (2003), after the forces:
-/// contacts keep bodies from penetrating, without restitution. Each contact gets the normal impulse
-/// that brings v·n at least to the target speed (active_contacts.hpp), and the impulse of friction.
+/// The contact stage of an island in the time step by Guendelman, Bridson and Fedkiw (2003), after
+/// the forces: contacts keep bodies from penetrating, without restitution. Each contact gets the
+/// normal impulse that brings v·n at least to the target speed (active_contacts.hpp), and the
+/// impulse of friction.
 ///
 /// The methods `built_in` and `simultaneous` solve all contacts of an island at once
 /// (solvers/island_solver.hpp). They start from the impulses of the previous step (warm start) or
@@ -19,6 +20,6 @@ namespace rigor {
 /// its bodies hardly move relative to each other. Otherwise the correction waits for a later step.
 ///
 /// @param first  the bodies after the collision stage, before the forces
-void process_contact(ContactProblem& problem, std::span<const Body> first);
+void process_contact(ContactProblem& problem, const Island& island, std::span<const Body> first);
 
 } // namespace rigor

@@ -116,8 +116,9 @@ Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3
     return gravity_wrench(body.mass, g);
 }
 
-AppliedWrenches::AppliedWrenches(const World& world, std::span<const int> bodies)
-    : world_(world), bodies_(bodies),
+AppliedWrenches::AppliedWrenches(const World& world, std::span<const int> bodies,
+                                 std::span<const Wrench> supports)
+    : world_(world), bodies_(bodies), supports_(supports),
       depends_on_velocities_(
           std::any_of(world.springs.begin(), world.springs.end(),
                       [](const Spring& spring) { return spring.damping != 0; }) ||
@@ -201,6 +202,10 @@ const std::vector<Wrench>& AppliedWrenches::at(std::span<const RigidState> state
         const Vector3d& X = motions_[i].X;
         net_[k] = gravity_on(world_.settings, world_.bodies[i], X);
         net_[k].torque += torques_[i];
+        if (!supports_.empty()) {
+            net_[k].force += supports_[i].force;
+            net_[k].torque += supports_[i].torque;
+        }
         if (const Drag& drag = world_.bodies[i].drag; drag.acts()) {
             // F = -(c + k |V|) V,  τ = -d ω
             const Vector3d& V = motions_[i].V;

@@ -50,9 +50,12 @@ Wrench gravity_on(const Settings& settings, const RigidBody& body, const Vector3
 /// the other. The lists are kept between the calls, so a step allocates them only once.
 class AppliedWrenches {
 public:
-    /// @param bodies  indices of the bodies on which springs, applied forces or drag act, in
-    ///                ascending order
-    AppliedWrenches(const World& world, std::span<const int> bodies);
+    /// @param bodies    indices of the bodies on which springs, applied forces, drag or contacts
+    ///                  act, in ascending order
+    /// @param supports  a constant wrench on each body of the world, by which contacts hold it; or
+    ///                  an empty list
+    AppliedWrenches(const World& world, std::span<const int> bodies,
+                    std::span<const Wrench> supports);
 
     /// Net force and torque on each body of the list `bodies` of the constructor, in its order.
     ///
@@ -77,6 +80,7 @@ private:
 
     const World& world_;
     std::span<const int> bodies_;
+    std::span<const Wrench> supports_;
     bool depends_on_velocities_ = false;
     std::vector<int> driven_;                     // driven bodies to which a spring is attached
     std::vector<Motion> motions_;                 // one for each body of the world

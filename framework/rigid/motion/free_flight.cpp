@@ -243,7 +243,7 @@ double fall_in_step(Integrator integrator)
 }
 
 std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,
-                                ThreadPool& pool)
+                                ThreadPool& pool, std::span<const Wrench> supports)
 {
     Counters& counters = world.counters;
     std::vector<RigidState> states(world.bodies.size());
@@ -275,7 +275,7 @@ std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, d
 
     count_substeps(n, counters);
     const double h = time_step / n;
-    AppliedWrenches wrenches(world, together);
+    AppliedWrenches wrenches(world, together, supports);
     for (int k = 0; k < n; ++k)
         fly_pulled(world, wrenches, together, states, h,
                    {world.time + k * h, world.time + (k + 0.5) * h});

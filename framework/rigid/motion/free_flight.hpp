@@ -94,9 +94,10 @@ void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, co
 /// forces or drag act fly together, all others one by one. Sleeping bodies keep their state, and so
 /// do static ones unless a drive moves or turns them. Only the counters of the world are changed.
 ///
-/// @param pulled  for each body, whether springs, applied forces or drag act on it (the result of
-///                `with_dragged_bodies`)
+/// @param pulled    for each body, whether springs, applied forces or drag act on it (the result of
+///                  `with_dragged_bodies`), or a wrench of `supports`
+/// @param supports  a constant wrench on each body, by which contacts hold it; or an empty list
 std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,
-                                ThreadPool& pool);
+                                ThreadPool& pool, std::span<const Wrench> supports = {});
 
 } // namespace rigor

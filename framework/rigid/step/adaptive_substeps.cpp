@@ -8,9 +8,9 @@
 // one after it.
 #include "rigid/step/adaptive_substeps.hpp"
 
+#include "rigid/detection/overlap_depth.hpp"
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/impact.hpp"
-#include "rigid/step/overlap_depth.hpp"
 
 #include <algorithm>
 #include <cmath>

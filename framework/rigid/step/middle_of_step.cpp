@@ -86,15 +86,6 @@ bool touches_a_turning_drive(const World& world, const ContactConstraint& c)
     return turns(c.body1) || turns(c.body2);
 }
 
-// Whether a contact slides: its friction is at the limit, up to rounding.
-bool slides(const ContactConstraint& c)
-{
-    constexpr double rounding = 1e-9;
-    const double j_n = c.contact_impulse.dot(c.normal);
-    const double j_T = (c.contact_impulse - j_n * c.normal).norm();
-    return j_T >= (1 - rounding) * c.friction * j_n;
-}
-
 // The contacts of the island that got an impulse, and those that a driven body that turns may close
 // within the step. The list is empty if each of them moves by at most `least_change` times its
 // radius in this step, because then its path is practically straight.
@@ -321,6 +312,14 @@ Vector3d set_velocities(const ContactProblem& problem, const std::vector<Body>& 
 }
 
 } // namespace
+
+bool slides(const ContactConstraint& c)
+{
+    constexpr double rounding = 1e-9;
+    const double j_n = c.contact_impulse.dot(c.normal);
+    const double j_T = (c.contact_impulse - j_n * c.normal).norm();
+    return j_T >= (1 - rounding) * c.friction * j_n;
+}
 
 Vector3d velocity_at(const Contact& c, const Body& body1, const Body& body2)
 {

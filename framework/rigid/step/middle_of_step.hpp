@@ -66,6 +66,9 @@ inline Vector3d slip(const Vector3d& v, const Vector3d& n)
     return v - v.dot(n) * n;
 }
 
+/// Whether a contact slides: its friction is at the limit, up to rounding.
+bool slides(const ContactConstraint& contact);
+
 /// v₁ - v₂ at the point of a contact [m/s].
 Vector3d velocity_at(const Contact& contact, const Body& body1, const Body& body2);
 

@@ -9,9 +9,9 @@
 
 #include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/bodies/orientation.hpp"
+#include "rigid/detection/overlap_depth.hpp"
 #include "rigid/detection/travel.hpp"
 #include "rigid/step/impact.hpp"
-#include "rigid/step/overlap_depth.hpp"
 
 #include <algorithm>
 #include <iterator>

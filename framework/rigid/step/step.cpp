@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Advances a world by one time step in the order of Guendelman, Bridson and Fedkiw (2003):
 // collisions, velocities, contact, positions. Free flight and the search for contacts come first.
-// An island whose contacts move along a curve is solved again with the contacts in the middle of
-// the step. After the positions, single bounces are computed at their exact times. Then the step of
+// Bodies that contacts hold while springs pull them fly again with the forces of the contacts. An
+// island whose contacts move along a curve is solved again with the contacts in the middle of the
+// step. After the positions, single bounces are computed at their exact times. Then the step of
 // an island with too much new overlap is repeated in two halves. The step of an island in which two
 // balls meet is repeated in two parts, before and after the impact. If a body may have penetrated
 // another one where the search for contacts did not look, the step of the whole world is repeated
@@ -25,6 +26,7 @@
 #include "rigid/step/single_body.hpp"
 #include "rigid/step/sleep.hpp"
 #include "rigid/step/step_result.hpp"
+#include "rigid/step/supported_flight.hpp"
 
 namespace rigor {
 
@@ -42,15 +44,15 @@ std::vector<RigidState> free_flight(World& world, const std::vector<bool>& pulle
     return flown;
 }
 
-// Adds the changes of velocity and angular momentum by the forces, as free flight computed them. In
-// a moving frame, also adds the change of the velocity by the fictitious force.
-void apply_forces(ContactProblem& problem, const World& world, const std::vector<RigidState>& flown)
+// The sum of two lists of displacements, each of which may be empty.
+std::vector<Displacement> sum(std::vector<Displacement> a, const std::vector<Displacement>& b)
 {
-    for (const Island& island : problem.islands)
-        for (int i : island.bodies) {
-            problem.bodies[i] = with_forces(problem.bodies[i], world.bodies[i].state, flown[i]);
-            problem.bodies[i].velocity -= island.frame.change();
-        }
+    if (a.empty()) return b;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        a[i].shift += b[i].shift;
+        a[i].turn += b[i].turn;
+    }
+    return a;
 }
 
 // The step of a whole world is halved at most this many times in a row, so it has at most 2⁶ parts.
@@ -117,14 +119,23 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, int divi
     enter_moving_frames(problem);
     process_collisions(problem);
     std::vector<Body> after_collisions = problem.bodies;
-    apply_forces(problem, world, flown);
-    process_contact(problem, after_collisions);
-    const std::vector<char> by_mean =
-        moves_by_mean_velocity(world, after_collisions, flown, candidates.poses, problem);
-    const std::vector<Displacement> displacements = position_corrections(problem);
+    for (const Island& island : problem.islands) {
+        apply_forces(world, island, after_collisions, flown, problem);
+        process_contact(problem, island, after_collisions);
+    }
+    const std::optional<SupportedFlight> supported =
+        fly_supported(world, problem, after_collisions, pulled, flown);
+    if (supported && supported->is_too_long && divisions < most_halvings) {
+        world.counters = before; // only the halves count
+        return step_in_halves(world, time_step, divisions);
+    }
+    const std::vector<char> by_mean = moves_by_mean_velocity(
+        world, after_collisions, supported ? supported->forced : flown, candidates.poses, problem);
+    std::vector<Displacement> displacements = position_corrections(problem);
+    if (supported) displacements = sum(std::move(displacements), supported->bends);
     leave_unheld_frames(problem, after_collisions);
 
-    StepResult result{flown, {}, {}};
+    StepResult result{supported ? supported->flown : flown, {}, {}};
     update_positions(world, problem, pulled, after_collisions, by_mean, displacements,
                      result.states);
     leave_moving_frames(problem, after_collisions);

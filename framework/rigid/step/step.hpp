@@ -34,6 +34,9 @@
 //   choose contacts     gaps, impulse matrices    target speeds        contact/active_contacts
 //   load estimate       weights (no warm start)   initial impulses     contact/load_estimate
 //   solve               initial impulses          velocities, impulses contact/solvers/
+//   supported flight    forces, impulses          flown states,        step/supported_flight; for
+//                                                 velocities, impulses bodies that contacts hold
+//                                                                      and springs or drag pull
 //   solve again         contacts in mid-step      velocities, impulses step/mean_velocity,
 //                                                 contacts             step/midpoint_contact
 // 6 position correction gaps, velocities          displacements        contact/position_correction

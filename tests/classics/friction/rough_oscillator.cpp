@@ -27,7 +27,7 @@ TEST_CASE("classics: friction shortens each swing by the same", "[classics]")
             errors.push_back(off);
         }
         CAPTURE(mu, errors);
-        check_at_most(errors.back(), 1e-3 * A, "error of the turning points [m]");
-        check_at_most(errors[2], 0.6 * errors[0], "error by a quarter of the step [m]");
+        // Apart from the steps in which the motion turns, the integrator makes hardly any error.
+        check_at_most(errors.back(), 1e-9 * A, "error of the turning points [m]");
     }
 }

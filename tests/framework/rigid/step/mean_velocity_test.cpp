@@ -41,7 +41,8 @@ struct Solved {
         for (const Island& island : problem.islands)
             for (const int i : island.bodies)
                 problem.bodies[i] = with_forces(problem.bodies[i], world.bodies[i].state, flown[i]);
-        process_contact(problem, after_collisions);
+        for (const Island& island : problem.islands)
+            process_contact(problem, island, after_collisions);
         by_mean = moves_by_mean_velocity(world, after_collisions, flown, candidates.poses, problem);
     }
 };

@@ -71,8 +71,8 @@ TEST_CASE("drag: a body that rests in a medium sleeps and wakes")
 {
     const std::string floor = R"({"name": "floor", "shape": {"plane": {}}, "static": true})";
     const std::string ball =
-        R"("position": [0, 0.5, 0], "velocity": [0.3, 0, 0], "restitution": 0,
-           "drag": {"linear": 5, "turning": 5})";
+        R"("position": [0, 0.5, 0], "velocity": [0.3, 0, 0], "angular_velocity": [0, 0, -0.6],
+           "restitution": 0, "drag": {"linear": 5, "turning": 5})";
     const World world = run(scene_with(ball, floor, "[0, -9.81, 0]"), 0.01, 6);
     CHECK(world.bodies[0].rest.is_asleep());
     // A rolling ball with M V̇ = -c V - F and I V̇/R = -d V/R + F R slows with

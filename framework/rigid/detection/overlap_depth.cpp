@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rigid/step/overlap_depth.hpp"
+#include "rigid/detection/overlap_depth.hpp"
 
 #include "geometry/bounds/bounds.hpp"
 #include "geometry/shapes/shape_bounds.hpp"

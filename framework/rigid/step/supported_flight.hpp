@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "rigid/bodies/world.hpp"
+#include "rigid/contact/contact_problem.hpp"
+#include "rigid/contact/position_correction.hpp"
+
+#include <optional>
+
+namespace rigor {
+
+/// The flight of bodies that contacts hold while springs, applied forces or drag act on them.
+struct SupportedFlight {
+    // The states of all bodies after the flight, in which the impulses of the contact stage act as
+    // constant forces.
+    std::vector<RigidState> flown;
+    // The same, without the changes of velocity and angular momentum by these constant forces. So
+    // only the other forces change them, but along the path of the supported body.
+    std::vector<RigidState> forced;
+    // What the displacement of each body has beyond that by the mean of its velocities at the start
+    // and the end of the step, because the forces change within the step.
+    std::vector<Displacement> bends;
+    // Whether friction acts although the time step is too long for the forces: they may reverse a
+    // motion within the step, and friction would not notice it.
+    bool is_too_long = false;
+};
+
+/// Free flight computes springs and drag along the path of a body without contacts. This path is
+/// wrong where contacts hold the body: a block on the ground falls, and the damper of a spring on
+/// the block brakes this fall. Therefore the flight is repeated with the impulses of the contact
+/// stage as constant forces, and the contact stage is repeated with the changes of velocity by the
+/// other forces along this flight, until its impulses are those of the flight. The iteration is
+/// accelerated by the method of Anderson (1965, "Iterative procedures for nonlinear integral
+/// equations", J. ACM 12) with one earlier iterate.
+///
+/// This is done for islands of at most `most_refined` bodies (detection/overlap_depth.hpp) on which
+/// springs, applied forces or drag act, and which got impulses in the contact stage but none in the
+/// collision stage. Integrators whose step has a single stage (symplectic Euler) need none of this.
+///
+/// @param problem  the velocities and impulses of these islands are replaced
+/// @param first    the bodies before the forces
+/// @param pulled   for each body, whether springs, applied forces or drag act on it
+/// @return nothing if there is no such island
+std::optional<SupportedFlight> fly_supported(World& world, ContactProblem& problem,
+                                             const std::vector<Body>& first,
+                                             const std::vector<bool>& pulled,
+                                             const std::vector<RigidState>& flown);
+
+/// Gives the bodies of an island their velocities after the forces. In a moving frame
+/// (contact/driven_bodies.hpp), the fictitious force is added.
+/// @param first  the bodies before the forces
+/// @param flown  the states after the forces alone
+void apply_forces(const World& world, const Island& island, const std::vector<Body>& first,
+                  const std::vector<RigidState>& flown, ContactProblem& problem);
+
+} // namespace rigor
