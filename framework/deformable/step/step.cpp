@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Advances a world by one time step. For each solid the code moves the nodes with their contacts,
-// then lets the elements flow plastically at the new places of the nodes (unless they flowed in
-// each explicit substep), then separates elements that stay inverted or, if there are none, opens
-// cracks. Last comes the step of the rigid bodies, with the impulses of the nodes as forces.
+// Advances a world by one time step. For each solid, highest first, the code moves the nodes with
+// their contacts, then lets the elements flow plastically at the new places of the nodes (unless
+// they flowed in each explicit substep), then separates elements that stay inverted or, if there
+// are none, opens cracks. Last comes the step of the rigid bodies, with the impulses of the nodes
+// as forces.
 #include "deformable/step/step.hpp"
 
 #include "deformable/elasticity/flow.hpp"
@@ -12,8 +13,11 @@
 #include "deformable/motion/implicit_motion.hpp"
 #include "deformable/motion/rigid_modes.hpp"
 #include "deformable/solid/handles.hpp"
+#include "rigid/bodies/height_order.hpp"
 #include "rigid/bodies/non_finite.hpp"
 #include "rigid/step/step.hpp"
+
+#include <algorithm>
 
 namespace rigor {
 
@@ -72,6 +76,25 @@ void move(Deformable& solid, RigidColliders& rigid, World& world, double time_st
     fracture(solid, work, world);
 }
 
+// The indices of the solids, highest center first. The lower one of two solids has to know the load
+// that a rigid body between them passes on.
+std::vector<std::size_t> from_top(const std::vector<Deformable>& solids, const Vector3d& gravity)
+{
+    const Vector3d up = up_direction(gravity);
+    std::vector<double> heights; // [m]
+    std::vector<std::size_t> order;
+    for (const Deformable& solid : solids) {
+        double sum = 0;
+        for (const Vector3d& x : solid.positions)
+            sum += up.dot(x);
+        heights.push_back(sum / static_cast<double>(solid.positions.size()));
+        order.push_back(order.size());
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return heights[i] > heights[j]; });
+    return order;
+}
+
 // As long as this object lives, the impulses of the nodes act on the rigid bodies as forces.
 class ForcesOfNodes {
 public:
@@ -95,7 +118,8 @@ std::vector<ContactRecord> step(DeformableWorld& world, double time_step)
     if (!world.solids.empty()) {
         RigidColliders rigid(world.rigid, time_step);
         const std::vector<Pose> surfaces = rigid.surfaces;
-        for (Deformable& solid : world.solids) {
+        for (const std::size_t i : from_top(world.solids, world.rigid.settings.gravity)) {
+            Deformable& solid = world.solids[i];
             remember_first_places(solid);
             move(solid, rigid, world.rigid, time_step);
             require_finite(solid, world.rigid.time + time_step);
