@@ -59,7 +59,7 @@ private:
 /// A parallel projection of space onto the drawing, without perspective.
 class View {
 public:
-    /// @param turn, tilt  how far the eye is turned about the vertical and raised [degrees]
+    /// @param turn, tilt  azimuth and elevation of the eye [degrees]
     View(double turn, double tilt);
     Vector2d operator()(const Vector3d& x) const { return {right_.dot(x), up_.dot(x)}; }
     /// How far a point lies in front of the plane through the origin that is perpendicular to the

@@ -45,7 +45,8 @@ fs::path proving_ground(const char* name)
     return folder;
 }
 
-// Numbers the steps of all proofs that one command needs, and says on stderr when each begins.
+// Numbers the steps of the command's proofs, and says on stderr when each begins. A proof builds
+// and grades a release, to check it before it is written.
 class Steps {
 public:
     explicit Steps(int total) : total_(total) {}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Moves the nodes of a solid as particles of one rigid body (lecture "Rigid bodies", "Constrained
-// dynamics"). The code takes the coefficients u of the velocity modes from the momenta of the
-// nodes, then u̇ from the generalized mass and the forces, and then moves the nodes.
+// dynamics"). The code takes the generalized velocity u = (V, ω) from the momenta of the nodes,
+// then u̇ from the generalized mass and the forces, and then moves the nodes.
 #include "deformable/motion/rigid_modes.hpp"
 
 #include "deformable/elasticity/totals.hpp"
@@ -85,10 +85,10 @@ void move_by_matrix(const NodeMotion& motion)
     // The formula advances R to R + h ω* R, with the cross-product matrix ω*. If x - X = R p, then
     // (R + h ω* R) p = (δ + h ω*) (x - X), so R itself need not be known.
     const Matrix3d turn = advance_matrix(Matrix3d::Identity(), modes.angular_velocity(), h);
-    const Vector3d X = modes.X + h * modes.velocity();
+    const Vector3d X_new = modes.X + h * modes.velocity();
     for (Vector3d& x : solid.positions)
-        x = X + turn * (x - modes.X);
-    set_velocities(solid, X, modes.u + h * modes.u_dot);
+        x = X_new + turn * (x - modes.X);
+    set_velocities(solid, X_new, modes.u + h * modes.u_dot);
 }
 
 } // namespace rigor

@@ -9,8 +9,9 @@ namespace rigor {
 
 namespace {
 
-// The displacement and rotation of a path at a time: linear between two moments of the path,
-// constant before its first and after its last moment. The path is not empty.
+// The displacement and rotation of a path at a time: interpolated linearly between two of the times
+// that the path lists, and constant before the first and after the last of them. The path is not
+// empty.
 HandleMoment moment_at(const std::vector<HandleMoment>& path, double time)
 {
     const auto after = std::upper_bound(path.begin(), path.end(), time,

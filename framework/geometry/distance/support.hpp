@@ -24,9 +24,9 @@ Vector3d support(const Shape& shape, const Vector3d& direction);
 ///   3. The point farthest along the direction.
 Feature feature_towards(const Shape& shape, const Vector3d& direction);
 
-/// Appends the outward unit normals of a convex shape's faces, at most a few dozen. They are
-/// candidates for a separating axis.
-/// @param towards  a round side has many normals; the one on the side of this direction is appended
+/// Appends the outward unit normals of a convex shape's faces (a convex mesh has at most a few
+/// dozen). They are candidates for a separating axis.
+/// @param towards  for a curved side, only the normal nearest to this direction is appended
 void add_face_normals(const Shape& shape, const Vector3d& towards, std::vector<Vector3d>& normals);
 
 } // namespace rigor

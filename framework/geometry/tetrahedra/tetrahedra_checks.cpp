@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Checks that a mesh of tetrahedra is one solid: first its counts, indices and coordinates, then
 // volumes, then faces, and last that all tetrahedra are connected. Faces are compared as sorted
-// triples of vertices. Connection is found by a search from the first tetrahedron through faces.
+// triples of vertices. Whether the solid is connected is found by a search from the first
+// tetrahedron through faces.
 #include "geometry/tetrahedra/tetrahedra_checks.hpp"
 
 #include "geometry/meshes/mesh_checks.hpp"

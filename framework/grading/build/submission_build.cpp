@@ -49,9 +49,9 @@ std::set<std::string> names_of_worker(const Toolchain& tools)
     return names;
 }
 
-// The commands that build a worker. What every worker needs is built first: Eigen's precompiled
-// header, the engine, and the program `confine`, which starts programs in a sandbox. This is done
-// once in each process.
+// The tools that build a worker. The first call in a process also builds what every worker needs:
+// Eigen's precompiled header, the engine, and the program `confine`, which starts programs in a
+// sandbox. It appends what it built to `steps`.
 const Toolchain& tools_after_framework(const OnBuildStep& on_step, std::vector<std::string>& steps)
 {
     static std::mutex guard;

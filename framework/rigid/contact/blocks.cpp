@@ -112,9 +112,10 @@ std::vector<ContactPair> split_into_blocks(const ContactProblem& problem, Island
     island.colors = {{0, 1}};
     if (fours == 0) return {};
 
-    // The order of the blocks: first one block for each slab, with the pairs whose moving bodies
-    // lie in this slab. Then come the blocks of the pairs between slabs 2i and 2i + 1, then
-    // those of the pairs between slabs 2i + 1 and 2i + 2. The last block holds all other pairs.
+    // The bodies are divided into slabs, which are layers of space. The order of the blocks: first
+    // one block for each slab, with the pairs whose moving bodies lie in this slab. Then come the
+    // blocks of the pairs between slabs 2i and 2i + 1, then those of the pairs between slabs 2i + 1
+    // and 2i + 2. The last block holds all other pairs.
     const Slabs slabs(problem, island.bodies, fours);
     const int count = 4 * fours + 1, even = count, odd = even + count / 2, far = odd + count / 2;
     const auto block_of = [&](const ContactPair& pair) {

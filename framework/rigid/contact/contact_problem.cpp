@@ -74,18 +74,21 @@ Vector3d ContactProblem::up() const
     return up_direction(settings.gravity);
 }
 
+const DrivenBody* ContactProblem::drive_of(int body) const
+{
+    const auto found = std::find_if(driven.begin(), driven.end(),
+                                    [&](const DrivenBody& d) { return d.body == body; });
+    return found == driven.end() ? nullptr : &*found;
+}
+
 std::vector<Body> ContactProblem::grounds_of(const Island& island) const
 {
-    const auto is_driven = [&](int body) {
-        return std::any_of(driven.begin(), driven.end(),
-                           [&](const DrivenBody& given) { return given.body == body; });
-    };
     std::vector<int> touched;
     bool any_fixed = false;
     for (const ContactPair& pair : island.pairs)
         for (const int i : {contacts[pair.first].body1, contacts[pair.first].body2}) {
             if (!bodies[i].is_static()) continue;
-            if (is_driven(i) || !std::exchange(any_fixed, true)) touched.push_back(i);
+            if (drive_of(i) || !std::exchange(any_fixed, true)) touched.push_back(i);
         }
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());

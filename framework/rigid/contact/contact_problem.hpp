@@ -138,6 +138,9 @@ struct ContactProblem {
     /// The unit vector opposite to gravity, or y without gravity.
     Vector3d up() const;
 
+    /// The motion of a driven body, or null if the body is not driven.
+    const DrivenBody* drive_of(int body) const;
+
     /// The motions relative to which the speeds of an island are measured: those of the static and
     /// driven bodies that the island touches, in the order of their indices. All static bodies
     /// without a drive count as one. If the island touches no static or driven body, the only

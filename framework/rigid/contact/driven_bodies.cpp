@@ -23,15 +23,8 @@ MovingFrame frame_of(const DrivenBody& driven)
     return {mean - first, last - mean};
 }
 
-// The static or driven body with this index. Without a drive, all its velocities are zero.
-DrivenBody ground_at(const ContactProblem& problem, int body)
-{
-    const auto found = std::find_if(problem.driven.begin(), problem.driven.end(),
-                                    [&](const DrivenBody& driven) { return driven.body == body; });
-    return found == problem.driven.end() ? DrivenBody{body, {}, {}, {}} : *found;
-}
-
-// The static and driven bodies that the island touches, in the order of their indices.
+// The static and driven bodies that the island touches, in the order of their indices. Without a
+// drive, all velocities of a body are zero.
 std::vector<DrivenBody> touched_grounds(const ContactProblem& problem, const Island& island)
 {
     std::set<int> touched;
@@ -41,8 +34,10 @@ std::vector<DrivenBody> touched_grounds(const ContactProblem& problem, const Isl
             if (problem.bodies[i].is_static()) touched.insert(i);
     }
     std::vector<DrivenBody> grounds;
-    for (const int i : touched)
-        grounds.push_back(ground_at(problem, i));
+    for (const int i : touched) {
+        const DrivenBody* driven = problem.drive_of(i);
+        grounds.push_back(driven ? *driven : DrivenBody{i, {}, {}, {}});
+    }
     return grounds;
 }
 
@@ -62,10 +57,10 @@ std::vector<Vector3d> closed_normals(const ContactProblem& problem, const Island
     return normals;
 }
 
-// Whether the body `ground` moves along the normals of its contacts with the island, as seen from
-// the frame, only with its mean velocity.
-bool suits(const ContactProblem& problem, const Island& island, const MovingFrame& frame,
-           const DrivenBody& ground)
+// Whether the velocity of the body `ground` along the normals of its contacts with the island, as
+// seen from the frame, stays the same during the step.
+bool has_steady_normals(const ContactProblem& problem, const Island& island,
+                        const MovingFrame& frame, const DrivenBody& ground)
 {
     constexpr double rounding = 1e-9; // relative to the changes of the velocity of the frame
     const MovingFrame own = frame_of(ground);
@@ -84,11 +79,11 @@ MovingFrame choose_frame(const ContactProblem& problem, const Island& island)
     for (const DrivenBody& driven : grounds) {
         const MovingFrame frame = frame_of(driven);
         if (frame.is_world()) continue;
-        const bool suits_all =
+        const bool is_steady =
             std::all_of(grounds.begin(), grounds.end(), [&](const DrivenBody& ground) {
-                return suits(problem, island, frame, ground);
+                return has_steady_normals(problem, island, frame, ground);
             });
-        if (suits_all) return frame;
+        if (is_steady) return frame;
     }
     return {};
 }
@@ -159,13 +154,9 @@ Touching touching(const ContactProblem& problem, std::span<const Body> first, co
 // Whether a contact of the island with a driven body got an impulse.
 bool is_held(const ContactProblem& problem, const Island& island)
 {
-    const auto is_driven = [&](int i) {
-        return std::any_of(problem.driven.begin(), problem.driven.end(),
-                           [&](const DrivenBody& driven) { return driven.body == i; });
-    };
     for (const ContactPair& pair : island.pairs) {
         const ContactConstraint& lowest = problem.contacts[pair.first];
-        if (!is_driven(lowest.body1) && !is_driven(lowest.body2)) continue;
+        if (!problem.drive_of(lowest.body1) && !problem.drive_of(lowest.body2)) continue;
         for (int i = pair.first; i < pair.last; ++i) {
             const ContactConstraint& c = problem.contacts[i];
             if (!c.collision_impulse.isZero(0) || problem.holds(c)) return true;
@@ -182,10 +173,8 @@ std::vector<DrivenBody> moving_grounds(const ContactProblem& problem, const Isla
     if (problem.driven.empty()) return grounds;
     grounds = touched_grounds(problem, island);
     if (island.frame.is_world())
-        std::erase_if(grounds, [&](const DrivenBody& ground) {
-            return std::none_of(problem.driven.begin(), problem.driven.end(),
-                                [&](const DrivenBody& d) { return d.body == ground.body; });
-        });
+        std::erase_if(grounds,
+                      [&](const DrivenBody& ground) { return !problem.drive_of(ground.body); });
     return grounds;
 }
 

@@ -133,7 +133,7 @@ struct LieScheme {
                     mean(&Rate::A), mean(&Rate::torque)};
         }
         Rate slope = k[stage - 1];
-        // The stage advances by h/2 along this slope, so the ⅛ of free_flight.hpp is a ¼ here.
+        // The stage advances by h/2 along this slope: ½ ω₂ - h/8 ω₁ × ω₂ = ½ (ω₂ - h/4 ω₁ × ω₂)
         if (stage == 2) slope.omega -= h / 4 * k[0].omega.cross(k[1].omega);
         return slope;
     }

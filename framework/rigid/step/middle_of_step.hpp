@@ -17,12 +17,11 @@ struct HeldContact {
     // v₁ - v₂ at the contact point of the start of the step, and at that of the middle of the step,
     // both with the velocities and angular momenta of the bodies at the start [m/s].
     Vector3d v_start = {}, v_middle = {};
-    // The change of v·n from the start to the middle of the step [m/s]. It is computed with the
-    // velocities at the start and with those after the contact stage; this is the larger of both
-    // changes.
+    // The change of v·n from the start to the middle of the step [m/s]. It is computed twice, with
+    // the velocities at the start and with those after the contact stage. The larger value is kept.
     double change = 0;
     double negligible = 0; // the highest speed at this contact that counts as 0 [m/s]
-    // Whether the contact stage gave it an impulse. If not, a driven body that turns closes the
+    // Whether the contact stage gave it an impulse. If not, a driven body that turns may close the
     // contact within the step.
     bool has_impulse = false;
     bool slides = false; // whether its friction in the contact stage is at the limit

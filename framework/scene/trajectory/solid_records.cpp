@@ -13,11 +13,13 @@ namespace {
 // Larger counts are refused as damaged, before memory is reserved for them.
 constexpr std::size_t most_nodes = 4'000'000, most_elements = 4'000'000, most_points = 8'000'000,
                       most_triangles = 8'000'000;
-// Sizes [bytes] of an element, of a point and a triangle of the surface, of the totals, of the
-// state of a node, and of the stress and plastic strain of an element.
-constexpr std::size_t element_bytes = 16, point_bytes = 20, triangle_bytes = 17,
-                      totals_bytes = 13 * sizeof(double), node_bytes = 6 * sizeof(double),
-                      measure_bytes = 2 * sizeof(float);
+// Sizes of the records [bytes]
+constexpr std::size_t element_bytes = 16;                 // an element: four indices
+constexpr std::size_t point_bytes = 20;                   // a point of the surface
+constexpr std::size_t triangle_bytes = 17;                // a triangle of the surface
+constexpr std::size_t totals_bytes = 13 * sizeof(double); // the totals of a solid
+constexpr std::size_t node_bytes = 6 * sizeof(double);    // place and velocity of a node
+constexpr std::size_t measure_bytes = 2 * sizeof(float);  // stress and plastic strain, an element
 
 int index(ByteCursor& bytes, const std::string& where, std::string_view what, std::size_t count)
 {

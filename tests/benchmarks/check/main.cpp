@@ -15,7 +15,7 @@ namespace {
 using namespace rigor;
 namespace fs = std::filesystem;
 
-// Saves a file with another line at its end. The destructor restores it.
+// Appends a line to a file. The destructor restores the text and the time of the file.
 class Edited {
 public:
     explicit Edited(const fs::path& file) : file_(file), time_(fs::last_write_time(file))

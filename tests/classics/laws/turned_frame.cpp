@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Space has no direction of its own: a scene that is turned as a whole, with its gravity, does what
-// it did, turned.
+// Space is isotropic: a scene that is rotated as a whole, with its gravity, gives the rotated
+// motion.
 #include "classics/problems.hpp"
 
 using namespace rigor;

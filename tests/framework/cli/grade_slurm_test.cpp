@@ -40,7 +40,7 @@ std::vector<std::string> slurm_arguments(const fs::path& submissions, const fs::
             "--chunk", "2"};
 }
 
-// A run whose output goes to a file.
+// Starts `rigor grade` in a new process, whose output goes to a file.
 // @param prepare  called in the new process, which ends if the result is false
 pid_t started(
     const fs::path& submissions, const fs::path& out, const fs::path& output,

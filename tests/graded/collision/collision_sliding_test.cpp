@@ -14,8 +14,8 @@ namespace rigor::testing {
 
 namespace {
 
-// Checks that a rod jams from the critical friction on, where nᵀ K (n - μ T) is 0. Here
-// M nᵀ K n = (4 + t²)/(1 + t²) and M nᵀ K T = 3 t/(1 + t²).
+// Checks that a rod jams if μ is at least the critical friction, where nᵀ K (n - μ T) is 0. With t,
+// the slope of the rod, M nᵀ K n = (4 + t²)/(1 + t²) and M nᵀ K T = 3 t/(1 + t²).
 void check_jam(double t, const Skid& skid)
 {
     const Matrix3d K = skidding_rod(t, skid);

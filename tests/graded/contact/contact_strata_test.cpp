@@ -19,7 +19,8 @@ ContactCase sliding_ball(double friction)
     return {{Body(), ball(1, {7, -1, 0})}, {touch(1, 0, 0.01, {0, 0, 0}, friction)}};
 }
 
-// The same ball on a static body that moves or turns below it, so that the ball does not slide.
+// The same ball on a kinematic body, which has no mass, but a velocity. Its surface moves as fast
+// as the ball, so that the ball does not slide.
 ContactCase ball_on_turntable(bool turns, bool table_is_first)
 {
     ContactCase problem = sliding_ball(10);

@@ -143,8 +143,8 @@ inline int corner_of(const Tetrahedron& t, int vertex)
     return static_cast<int>(std::find(t.begin(), t.end(), vertex) - t.begin());
 }
 
-/// A solid as it was made, or elsewhere: turned, moved, of another size and renumbered, each
-/// tetrahedron with its corners in another order of the same orientation.
+/// A solid as it was made, or the same solid rotated, moved, scaled and renumbered at random, with
+/// the corners of each tetrahedron in another order of the same orientation.
 struct Placed : Renumbered {
     Matrix3d R = Matrix3d::Identity();
     Vector3d X = Vector3d::Zero();

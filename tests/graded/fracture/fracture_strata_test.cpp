@@ -141,8 +141,8 @@ TetrahedralMesh near_and_long(double height)
 TEST_CASE("fracture: the longest edge of all tetrahedra of the vertex decides", "[A7.6][fracture]")
 {
     // The tetrahedron of vertex 1 has no edge of 20 m; the other one has.
-    // 1 = 0.05 · 20 is approached from both sides. It is not met exactly: no binary number is 0.05,
-    // so whether 1 is below 0.05 · 20 depends on the precision of the product.
+    // The heights approach the limit 0.05 · 20 m = 1 m from both sides. None is exactly 1 m: 0.05
+    // has no exact binary form, so whether 1 is below 0.05 · 20 depends on rounding.
     std::vector<double> heights = {0.25};
     for (int power = 1; power <= 44; ++power) {
         heights.push_back(1 - std::ldexp(1, -power));

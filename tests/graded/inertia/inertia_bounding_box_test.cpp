@@ -93,6 +93,25 @@ TEST_CASE("inertia: only the bounds of the vertices matter", "[A2.17][inertia]")
     }
 }
 
+// The outermost vertex of each side is listed before or after one that is only a little nearer.
+TEST_CASE("inertia: the outermost vertex bounds the box by however little", "[A2.17][inertia]")
+{
+    for (int power = 1; power <= 50; ++power)
+        for (int side = 0; side < 6; ++side)
+            for (const bool is_first : {true, false}) {
+                CAPTURE(power, side, is_first);
+                const double outward = side < 3 ? 1 : -1;
+                std::vector<Vector3d> vertices = corners_of({0, 0, 0}, {2, 2, 2});
+                Vector3d outermost = Vector3d::Zero();
+                outermost[side % 3] = outward * (1 + std::ldexp(1, -power));
+                vertices.insert(is_first ? vertices.begin() : vertices.end(), outermost);
+                Vector3d center = Vector3d::Zero();
+                center[side % 3] = outward * std::ldexp(1, -power - 1);
+                REQUIRE_THAT(bounding_box_mass_properties(vertices, 12).center_of_mass,
+                             IsClose(center, Rounding(4, 1)));
+            }
+}
+
 TEST_CASE("inertia: a bounding box may be flat or a point", "[A2.17][inertia]")
 {
     const MassProperties plate = {12, Vector3d(0.5, 0, 1.5), Vector3d(9, 10, 1).asDiagonal()};

@@ -3,6 +3,7 @@
 // negative one, as holes have, flat and straight vertices, moments and axes in every order.
 #include "formulas/inertia.hpp"
 #include "support/close.hpp"
+#include "support/mass_properties.hpp"
 #include "support/random.hpp"
 #include "support/seeds.hpp"
 
@@ -150,18 +151,58 @@ TEST_CASE("inertia: a body combined with its like, with nothing, and with a hole
     }
 }
 
-TEST_CASE("inertia: a particle without mass changes nothing, wherever it is listed",
+namespace {
+
+// Lists of up to four parts, any of which may be empty. The result for the whole list has to be
+// that for the other parts, and exactly zero if all are empty.
+template <class Part, class ValueOf>
+void check_empty_parts(const std::vector<Part>& parts, Part empty, ValueOf value_of)
+{
+    for (std::size_t count = 1; count <= parts.size(); ++count)
+        for (std::uint64_t which = 0; which < 1u << count; ++which) {
+            std::vector<Part> all, full;
+            for (std::size_t i = 0; i < count; ++i) {
+                const bool is_full = which >> i & 1;
+                all.push_back(is_full ? parts[i] : empty);
+                if (is_full) full.push_back(parts[i]);
+            }
+            CAPTURE(count, which);
+            if (full.empty())
+                REQUIRE_THAT(value_of(all), IsExactly(MassProperties{}));
+            else
+                require_mass_properties(value_of(all), value_of(full), 8, 32);
+        }
+}
+
+} // namespace
+
+TEST_CASE("inertia: particles without mass change nothing, wherever they are listed",
           "[A2.1][inertia]")
 {
-    for (std::size_t place = 0; place < 3; ++place) {
-        std::vector<Particle> particles = {{1, {-1, 0, 0}}, {1, {1, 0, 0}}};
-        particles.insert(particles.begin() + static_cast<std::ptrdiff_t>(place), {0, {5, 5, 5}});
-        const MassProperties found = particle_mass_properties(particles);
-        REQUIRE_THAT(found.mass, IsClose(2.0, Rounding(8)));
-        REQUIRE_THAT(found.center_of_mass, IsClose(Vector3d(0, 0, 0), Rounding(8, 5)));
-        REQUIRE_THAT(found.inertia,
-                     IsClose(Matrix3d(Vector3d(0, 2, 2).asDiagonal()), Rounding(16, 50)));
-    }
+    check_empty_parts<Particle>({{1, {-1, 0, 0}}, {1, {1, 0, 0}}, {2, {0, 2, 1}}, {1, {3, 0, 1}}},
+                                {0, {5, 5, 5}}, particle_mass_properties);
+}
+
+TEST_CASE("inertia: cells without density change nothing, wherever they are listed",
+          "[A2.11][inertia]")
+{
+    check_empty_parts<DensitySample>(
+        {{{-1, 0, 0}, 1}, {{1, 0, 0}, 1}, {{0, 2, 1}, 2}, {{3, 0, 1}, 1}}, {{5, 5, 5}, 0},
+        [](const std::vector<DensitySample>& cells) { return grid_mass_properties(cells, 0.5); });
+}
+
+TEST_CASE("inertia: bodies without mass change nothing, wherever they are listed",
+          "[A2.14][inertia]")
+{
+    const Matrix3d I = Vector3d(1, 2, 2).asDiagonal();
+    check_empty_parts<MassProperties>(
+        {{1, {-1, 0, 0}, I}, {1, {1, 0, 0}, 2 * I}, {2, {0, 2, 1}, I}, {1, {3, 0, 1}, I}},
+        {0, {5, 5, 5}, Matrix3d::Zero()}, [](const std::vector<MassProperties>& bodies) {
+            MassProperties all;
+            for (const MassProperties& body : bodies)
+                all = combine(all, body);
+            return all;
+        });
 }
 
 namespace {

@@ -53,4 +53,23 @@ TEST_CASE("inertia: inverse tensors of every structure in world space", "[A2.3][
     check_turned(world_inverse_inertia);
 }
 
+// The inverse inertia of a rod whose axis is nearly one of the frame: of the entries t beside the
+// diagonal and t² on it, t counts although t² is less than a rounding error of the largest entry.
+TEST_CASE("inertia: the inverse of a rod that nearly lies along an axis", "[A2.3][inertia]")
+{
+    for (Random random : seeds(2))
+        for (int power = 1; power <= 45; ++power)
+            for (int axis = 0; axis < 6; ++axis)
+                for (const double sign : {1., -1.}) {
+                    CAPTURE(power, axis, sign);
+                    Vector3d rod = Vector3d::Unit(axis % 3);
+                    rod[(axis % 3 + 1 + axis / 3) % 3] = sign * std::ldexp(1, -power);
+                    const Matrix3d A =
+                        rod.squaredNorm() * Matrix3d::Identity() - rod * rod.transpose();
+                    for (const Matrix3d& R : {Matrix3d(Matrix3d::Identity()), random.rotation()})
+                        REQUIRE_THAT(world_inverse_inertia(R, A),
+                                     IsClose(exactly_turned(R, A), Rounding(32, 1)));
+                }
+}
+
 } // namespace inertia_turned_test

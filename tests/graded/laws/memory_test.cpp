@@ -112,7 +112,7 @@ template <FormulaIndex f, auto& formula> void check_memory_of_parts()
                                  other = random_arguments<f, formula>(seed + 8000);
         std::apply(formula, other);
         const auto of_first = std::apply(formula, first);
-        for (const Arguments<formula>& call : with_one_change<f>(first, 48, random)) {
+        for (const Arguments<formula>& call : with_one_change<f>(first, 64, random)) {
             std::apply(formula, other);
             const auto expected = std::apply(formula, call);
             INFO("the same call, after another call that differs from it in a single part");

@@ -32,6 +32,7 @@ inline void change_entry(double& x, bool has_sign, Turn& turn)
 {
     if (has_sign && turn()) x = -x;
     if (turn()) x = x == 0 ? 0.5 : 0.75 * x;
+    if (turn()) x = x == 0 ? 0.25 : 0;
     if (turn()) x *= 1 + 0x1p-30; // the same number in single precision
 }
 
@@ -146,7 +147,7 @@ template <class T> void change_part(T& value, const Quantity& q, Turn& turn)
         change_mesh(value, turn);
     } else if constexpr (std::is_same_v<T, LevelSet>) {
         change_part(value.origin, quantities::sizes, turn);
-        change_entry(value.cell_size, false, turn);
+        if (turn()) value.cell_size *= 0.75;
         change_list(value.distances, quantities::depth, turn);
     } else if constexpr (Plain<T>) {
         const Quantity* of = FieldQuantities<T>::of;

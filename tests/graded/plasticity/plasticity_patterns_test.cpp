@@ -117,4 +117,19 @@ TEST_CASE("plasticity: what flowed before does not limit the flow", "[A6.8][plas
     }
 }
 
+// The deviator has an error of about eps times the pressure, so down to here the flow keeps digits.
+TEST_CASE("plasticity: a large pressure hides no flow", "[A6.8][plasticity]")
+{
+    const double G = 0.75, tau = 1, strength = tau; // the von Mises stress is √3 τ
+    for (int power = 0; power <= 45; ++power)
+        for (const double sign : {1., -1.}) {
+            CAPTURE(power, sign);
+            const double p = sign * std::ldexp(1, power);
+            const Matrix3d stress = shear(tau) + p * Matrix3d::Identity();
+            const Matrix3d flow = (1 - strength / (std::sqrt(3) * tau)) / (2 * G) * shear(tau);
+            REQUIRE_THAT(plastic_flow(Matrix3d::Zero(), stress, strength, G),
+                         IsClose(flow, Rounding(64, (tau + std::abs(p)) / G)));
+        }
+}
+
 } // namespace plasticity_patterns_test

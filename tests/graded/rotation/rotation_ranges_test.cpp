@@ -106,6 +106,15 @@ TEST_CASE("rotation: the smallest and the largest quaternions are normalized", "
                 normalize({small, {0, sign, 0}}),
                 IsClose(Quaternion{small / length, {0, sign / length, 0}}, Rounding(8, 1)));
         }
+    // any direction: in between, the squares keep only some of their digits
+    for (Random random : seeds(2)) {
+        const Quaternion q = random.quaternion();
+        for (int power = -960; power <= 1000; power += 4) {
+            CAPTURE(power);
+            const double size = std::ldexp(1.0, power);
+            REQUIRE_THAT(normalize({size * q.s, size * q.v}), IsClose(q, Rounding(8, 1)));
+        }
+    }
     const double largest = std::numeric_limits<double>::max();
     REQUIRE_THAT(normalize({largest, {-largest, largest, -largest}}),
                  IsClose(Quaternion{0.5, {-0.5, 0.5, -0.5}}, Rounding(8, 1)));

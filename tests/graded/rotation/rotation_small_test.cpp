@@ -61,4 +61,36 @@ TEST_CASE("rotation: a product is as small or large as its factors", "[A3.5][rot
     }
 }
 
+// Each component of a product is a sum of four terms, and its error is a rounding error of these,
+// however large the other components are.
+TEST_CASE("rotation: small components of a product are kept beside large ones", "[A3.5][rotation]")
+{
+    const auto entries = [](const Quaternion& q) -> Eigen::Vector4d {
+        return {q.s, q.v.x(), q.v.y(), q.v.z()};
+    };
+    const auto quaternion = [](const Eigen::Vector4d& q) -> Quaternion {
+        return {q[0], q.tail<3>()};
+    };
+    for (Random random : seeds(20))
+        for (int power = 0; power <= 60; power += 3) {
+            CAPTURE(power);
+            Eigen::Vector4d a = entries(random.quaternion()), b = entries(random.quaternion());
+            for (int i = 0; i < 4; ++i) {
+                if (random.bits() % 2 == 0) a[i] = std::ldexp(a[i], -power);
+                if (random.bits() % 2 == 0) b[i] = std::ldexp(b[i], -power);
+            }
+            Eigen::Matrix4d terms; // row i: the terms of component i of the product
+            terms << a[0] * b[0], -a[1] * b[1], -a[2] * b[2], -a[3] * b[3], //
+                a[0] * b[1], a[1] * b[0], a[2] * b[3], -a[3] * b[2],        //
+                a[0] * b[2], a[2] * b[0], a[3] * b[1], -a[1] * b[3],        //
+                a[0] * b[3], a[3] * b[0], a[1] * b[2], -a[2] * b[1];
+            const Eigen::Vector4d found = entries(multiply(quaternion(a), quaternion(b)));
+            for (int i = 0; i < 4; ++i) {
+                CAPTURE(i);
+                REQUIRE_THAT(found[i],
+                             IsClose(terms.row(i).sum(), Rounding(8, terms.row(i).lpNorm<1>())));
+            }
+        }
+}
+
 } // namespace rotation_small_test

@@ -14,9 +14,10 @@ namespace rigor {
 
 namespace {
 
-// A correct gradient points away from the surface, so it is opposite to the way to the surface. If
-// the cosine of the angle between the two is below this value (the angle is above 120°), the
-// gradient counts as correct, and the exact direction replaces it.
+// Outside of the shape, a correct gradient points from the nearest point of the surface to the
+// point p, so it is opposite to the direction from p to the surface. If the cosine of the angle
+// between these two directions is below this value (the angle is above 120°), the gradient counts
+// as correct, and the exact direction replaces it.
 constexpr double points_back = -0.5;
 // Largest error of a correct `sample_level_set` about a cell before the surface, divided by the
 // size of a cell. The error of linear interpolation of a distance is smaller, even at an edge or a

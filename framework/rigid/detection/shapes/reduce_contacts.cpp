@@ -108,8 +108,8 @@ private:
         chosen_.push_back(i);
     }
 
-    // Replaces each chosen contact by the deepest of the contacts to which it is the nearest chosen
-    // one.
+    // Each contact belongs to the nearest chosen contact. A chosen contact is replaced by a contact
+    // that belongs to it and is clearly deeper.
     void replace_by_deeper()
     {
         for (int i = 0; i < size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Defines a name that has a newline, so that it looks like a list of names.
+// Defines a symbol with a newline in its name, which looks like several symbols in a list.
 // expect: 0 compile_error: invalid character in a name
 #include "formulas/pipeline.hpp"
 

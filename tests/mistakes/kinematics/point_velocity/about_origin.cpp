@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The body rotates about its center of mass X, not about the origin: ω × (x - X).
+// Takes ω × x, as if the body rotated about the origin; right is ω × (x - X).
 #include "formulas/kinematics.hpp"
 
 namespace rigor {
