@@ -123,12 +123,12 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, int divi
         apply_forces(world, island, after_collisions, flown, problem);
         process_contact(problem, island, after_collisions);
     }
-    const std::optional<SupportedFlight> supported =
-        fly_supported(world, problem, after_collisions, pulled, flown);
-    if (supported && supported->is_too_long && divisions < most_halvings) {
+    if (divisions < most_halvings && is_too_long_for_friction(world, problem, pulled)) {
         world.counters = before; // only the halves count
         return step_in_halves(world, time_step, divisions);
     }
+    const std::optional<SupportedFlight> supported =
+        fly_supported(world, problem, after_collisions, pulled, flown);
     const std::vector<char> by_mean = moves_by_mean_velocity(
         world, after_collisions, supported ? supported->forced : flown, candidates.poses, problem);
     std::vector<Displacement> displacements = position_corrections(problem);

@@ -20,10 +20,14 @@ struct SupportedFlight {
     // What the displacement of each body has beyond that by the mean of its velocities at the start
     // and the end of the step, because the forces change within the step.
     std::vector<Displacement> bends;
-    // Whether friction acts although the time step is too long for the forces: they may reverse a
-    // motion within the step, and friction would not notice it.
-    bool is_too_long = false;
 };
+
+/// Whether the time step is too long for friction: springs, applied forces or drag act on an island
+/// that friction holds, and they may reverse its motion more than once within the step. Friction,
+/// which is constant in a step, could add energy then.
+/// @param pulled  for each body, whether springs, applied forces or drag act on it
+bool is_too_long_for_friction(const World& world, ContactProblem& problem,
+                              const std::vector<bool>& pulled);
 
 /// Free flight computes springs and drag along the path of a body without contacts. This path is
 /// wrong where contacts hold the body: a block on the ground falls, and the damper of a spring on
