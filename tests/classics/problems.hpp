@@ -5,6 +5,7 @@
 
 #include "framework/rigid/worlds.hpp"
 #include "support/catch.hpp"
+#include "support/sweep.hpp"
 
 #include <cmath>
 #include <memory>
@@ -13,23 +14,6 @@
 namespace rigor::testing {
 
 using std::numbers::pi;
-
-/// Which cases of a long sweep are run: all, or under sanitizers, which take twenty times as long,
-/// every eleventh. (No loop of a sweep has eleven turns, so the cases taken differ in every loop.)
-class Sweep {
-public:
-    bool takes_next()
-    {
-#ifdef RIGOR_SANITIZED
-        return next_++ % 11 == 0;
-#else
-        return true;
-#endif
-    }
-
-private:
-    [[maybe_unused]] int next_ = 0;
-};
 
 /// A world of these bodies that runs with the reference's formulas.
 inline World solved(std::vector<RigidBody> bodies, const Vector3d& gravity = {0, -g, 0})

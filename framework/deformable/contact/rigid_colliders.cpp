@@ -111,6 +111,7 @@ void RigidColliders::apply_to(World& to) const
         AppliedForce nodes;
         nodes.body = i;
         nodes.start = -nodes.end; // the end is 1e300, so the force acts at all times
+        nodes.is_of_solid = true;
         nodes.force = pushed_[i].impulse / time_step_;
         nodes.torque = pushed_[i].moment / time_step_;
         to.forces.push_back(nodes);

@@ -40,12 +40,13 @@ struct AppliedForce {
     double frequency = 0;                      // f [Hz]; 0: constant
     double phase = 0;                          // φ [rad]
     std::function<double(double)> factor = {}; // a function of the time [s]; empty: 1
+    bool is_of_solid = false; // the mean force of a deformable solid over the whole step
 };
 
 /// Everything that a time step reads and changes: state, settings, and the memory of the last step.
-/// step/adaptive_substeps.cpp and step/impact.cpp each build a smaller world from some of the
-/// bodies. Both copy all settings. If `World` gets a new member that a smaller world needs, both
-/// files have to copy this member too.
+/// step/substeps/adaptive_substeps.cpp and step/impact.cpp each build a smaller world from some of
+/// the bodies. Both copy all settings. If `World` gets a new member that a smaller world needs,
+/// both files have to copy this member too.
 struct World {
     double time = 0; // [s]
     std::vector<RigidBody> bodies;

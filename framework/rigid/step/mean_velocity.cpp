@@ -52,11 +52,14 @@ bool holds_along_fixed_normals(const ContactProblem& problem, const Island& isla
             if (c.contact_impulse.isZero(0) && hit == 0) continue;
             const double none =
                 std::max(left_at_rest * std::abs(c.force_speed), problem.rounding_speed(c));
+            double v_n = 0, speed = 0; // the larger of those at the start and at the end
             for (const std::vector<Body>* bodies : {&before, &problem.bodies}) {
-                const double v_n = problem.velocity_between(*bodies, c, c.point).dot(c.normal);
-                const double speed = speed_of((*bodies)[c.body1]) + speed_of((*bodies)[c.body2]);
-                if (std::max(hit, std::abs(v_n)) > std::max(opens * speed, none)) return false;
+                v_n = std::max(
+                    v_n, std::abs(problem.velocity_between(*bodies, c, c.point).dot(c.normal)));
+                speed =
+                    std::max(speed, speed_of((*bodies)[c.body1]) + speed_of((*bodies)[c.body2]));
             }
+            if (std::max(hit, v_n) > std::max(opens * speed, none)) return false;
         }
     return true;
 }

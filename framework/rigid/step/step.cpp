@@ -5,9 +5,10 @@
 // island whose contacts move along a curve is solved again with the contacts in the middle of the
 // step. After the positions, single bounces are computed at their exact times. Then the step of
 // an island with too much new overlap is repeated in two halves. The step of an island in which two
-// balls meet is repeated in two parts, before and after the impact. If a body may have penetrated
-// another one where the search for contacts did not look, the step of the whole world is repeated
-// in two halves. Last, islands at rest fall asleep.
+// balls meet is repeated in two parts, before and after the impact, and that of a small island in
+// which a contact stops sliding in two parts, before and after that time. If a body may have
+// penetrated another one where the search for contacts did not look, the step of the whole world is
+// repeated in two halves. Last, islands at rest fall asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
@@ -18,7 +19,6 @@
 #include "rigid/contact/resting_contact.hpp"
 #include "rigid/motion/forces.hpp"
 #include "rigid/motion/free_flight.hpp"
-#include "rigid/step/adaptive_substeps.hpp"
 #include "rigid/step/impact.hpp"
 #include "rigid/step/mean_velocity.hpp"
 #include "rigid/step/missed_contacts.hpp"
@@ -26,6 +26,7 @@
 #include "rigid/step/single_body.hpp"
 #include "rigid/step/sleep.hpp"
 #include "rigid/step/step_result.hpp"
+#include "rigid/step/substeps/adaptive_substeps.hpp"
 #include "rigid/step/supported_flight.hpp"
 
 namespace rigor {
@@ -140,8 +141,9 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, int divi
                      result.states);
     leave_moving_frames(problem, after_collisions);
     result.records = bounce_at_impacts(world, problem, pulled, displacements, result.states);
-    const Refinement refined = refine_by_substeps(world, problem, pulled, candidates, result.states,
-                                                  divisions, step_divided);
+    const Refinement refined =
+        refine_by_substeps(world, problem, after_collisions, pulled, candidates, result.states,
+                           divisions, step_divided);
     if (divisions < most_halvings &&
         has_missed_contact(world, problem, candidates, flown, result.states)) {
         world.counters = before; // only the halves count

@@ -43,7 +43,7 @@
 //   leave frames        impulses, frames          velocities           contact/driven_bodies
 // 7 positions           velocities, displacements states               step/position_update
 // 8 refine              states, contacts, memory  states, records      step/impact,
-//                                                                      step/adaptive_substeps
+//                                                                      step/substeps/
 //   missed contacts     flown states, states,     none                 step/missed_contacts; if
 //                       margins                                        there is one, the whole step
 //                                                                      runs again in two halves

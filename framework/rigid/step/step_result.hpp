@@ -4,7 +4,7 @@
 
 #include "rigid/contact/contact_problem.hpp"
 #include "rigid/detection/contact_candidates.hpp"
-#include "rigid/step/adaptive_substeps.hpp"
+#include "rigid/step/substeps/adaptive_substeps.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Laws that must hold for each pair of shapes.
 #include "framework/rigid/contact_shapes.hpp"
+#include "support/sweep.hpp"
 
 using namespace rigor;
 using namespace rigor::testing;
@@ -38,9 +39,11 @@ TEST_CASE("contact: shapes that approach touch where they meet", "[rigid]")
 {
     // The second shape comes from outside along a random direction, and is placed where the fine
     // meshes of both shapes just touch. There the gap must be zero.
+    Sweep sweep;
     for (const NamedShape& first : all_shapes())
         for (const NamedShape& second : all_shapes())
             for (unsigned seed = 0; seed < 3; ++seed) {
+                if (!sweep.takes_next()) continue;
                 CAPTURE(first.name, second.name, seed);
                 Random random(seed);
                 const Pose a{random.rotation(), {0, 0, 0}};

@@ -5,12 +5,14 @@
 // only where this bound is too large. An island with too much new overlap is copied into a separate
 // world, with the static bodies near it, and takes two steps of half the length. An island in which
 // two balls meet, or a small one with several bounces, takes one step up to the first impact and
-// one after it.
-#include "rigid/step/adaptive_substeps.hpp"
+// one after it. A small one in which a contact stops sliding takes one step up to this time and one
+// after it.
+#include "rigid/step/substeps/adaptive_substeps.hpp"
 
 #include "rigid/detection/overlap_depth.hpp"
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/impact.hpp"
+#include "rigid/step/substeps/end_of_sliding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +45,29 @@ struct IslandWorld {
     std::vector<int> bodies; // for each body of `world`, its index in the whole world; ascending
 };
 
-// Copies an island and the static bodies that contacts in `near` connect with it.
+bool has_body(const Island& island, int i)
+{
+    return std::binary_search(island.bodies.begin(), island.bodies.end(), i);
+}
+
+// Whether the island cannot be moved alone and in parts, because a spring connects it with a body
+// outside it that can move, or because a deformable solid presses on it.
+bool is_tied(const World& world, const Island& island)
+{
+    const auto is_outside = [&](int i) {
+        return i >= 0 && !world.bodies[i].is_static && !has_body(island, i);
+    };
+    return std::any_of(world.springs.begin(), world.springs.end(),
+                       [&](const Spring& s) {
+                           return (has_body(island, s.body1) && is_outside(s.body2)) ||
+                                  (has_body(island, s.body2) && is_outside(s.body1));
+                       }) ||
+           std::any_of(world.forces.begin(), world.forces.end(), [&](const AppliedForce& f) {
+               return f.is_of_solid && has_body(island, f.body);
+           });
+}
+
+// Copies an island, and the static bodies that contacts in `near` or springs connect with it.
 IslandWorld part_of(const World& world, const Island& island, const std::vector<Contact>& near)
 {
     IslandWorld part;
@@ -51,9 +75,15 @@ IslandWorld part_of(const World& world, const Island& island, const std::vector<
     for (const Contact& c : near)
         for (const auto& [fixed, other] :
              {std::pair(c.body1, c.body2), std::pair(c.body2, c.body1)})
-            if (world.bodies[fixed].is_static &&
-                std::binary_search(island.bodies.begin(), island.bodies.end(), other))
+            if (world.bodies[fixed].is_static && has_body(island, other))
                 part.bodies.push_back(fixed);
+    std::vector<Spring> springs;
+    for (const Spring& spring : world.springs) {
+        if (!has_body(island, spring.body1) && !has_body(island, spring.body2)) continue;
+        springs.push_back(spring);
+        for (const int i : {spring.body1, spring.body2})
+            if (i >= 0) part.bodies.push_back(i);
+    }
     std::sort(part.bodies.begin(), part.bodies.end());
     part.bodies.erase(std::unique(part.bodies.begin(), part.bodies.end()), part.bodies.end());
 
@@ -62,6 +92,16 @@ IslandWorld part_of(const World& world, const Island& island, const std::vector<
         index[i] = static_cast<int>(part.world.bodies.size());
         part.world.bodies.push_back(world.bodies[i]);
     }
+    for (Spring spring : springs) {
+        if (spring.body1 >= 0) spring.body1 = index[spring.body1];
+        if (spring.body2 >= 0) spring.body2 = index[spring.body2];
+        part.world.springs.push_back(spring);
+    }
+    for (AppliedForce force : world.forces)
+        if (has_body(island, force.body)) {
+            force.body = index[force.body];
+            part.world.forces.push_back(force);
+        }
     part.world.pair_laws = laws_among(world.pair_laws, part.bodies);
     part.world.settings = world.settings;
     part.world.settings.optimisations.sleep = false;
@@ -113,6 +153,13 @@ private:
     const ContactCandidates& candidates_;
     Overlap overlap_; // after the step
 };
+
+// The argument `negligible` of `end_of_sliding`. Between several bodies, the solver leaves some
+// speed at contacts that stick. In a part of a step, the end of sliding is only corrected.
+double negligible_sliding(const Island& island, int divisions)
+{
+    return island.bodies.size() > 1 && divisions == 0 ? 1e-2 : 1e-4;
+}
 
 // Whether all bodies of the pair that can move are balls.
 bool moves_only_balls(const World& world, const ContactConstraint& c)
@@ -221,7 +268,7 @@ void keep_warm_contacts(const IslandWorld& part, Refinement& refined)
 
 } // namespace
 
-Refinement refine_by_substeps(World& world, ContactProblem& problem,
+Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::vector<Body>& first,
                               const std::vector<bool>& pulled, const ContactCandidates& candidates,
                               std::vector<RigidState>& states, int divisions,
                               const StepOfPart& step)
@@ -231,32 +278,36 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem,
     OverlapCheck overlaps_anew(world, problem, candidates, states);
     for (const Island& island : problem.islands) {
         if (island.bodies.size() > most_refined) continue;
-        if (std::any_of(island.bodies.begin(), island.bodies.end(),
-                        [&](int i) { return pulled[i]; }))
-            continue;
         const double h = problem.time_step;
         const bool is_at_limit = divisions >= most_divisions;
         if (is_at_limit && island.bodies.size() > few_bodies) continue;
+        const bool is_pulled = std::any_of(island.bodies.begin(), island.bodies.end(),
+                                           [&](int i) { return pulled[i]; });
         const bool lands = island.lands_at > apart * h;
-        const auto [impact, is_free, is_apart] =
-            lands ? Division{just_before * island.lands_at, true, true}
-                  : first_impact(world, problem, island);
-        if (is_at_limit && !is_apart) continue;
+        Division division;
+        if (!is_pulled)
+            division = lands ? Division{just_before * island.lands_at, true, true}
+                             : first_impact(world, problem, island);
+        if (is_at_limit && !division.is_apart) continue;
         const bool is_halved =
-            impact == 0 && !is_at_limit &&
+            !is_pulled && division.time == 0 && !is_at_limit &&
             std::any_of(island.pairs.begin(), island.pairs.end(), std::ref(overlaps_anew));
-        if (impact == 0 && !is_halved) continue;
+        if (is_halved)
+            division.time = h / 2;
+        else if (division.time == 0 && divisions < most_divisions_of_sliding)
+            division.time =
+                end_of_sliding(problem, island, first, negligible_sliding(island, divisions));
+        if (division.time == 0 || is_tied(world, island)) continue;
         IslandWorld part = part_of(world, island, candidates.contacts);
-        const double first = is_halved ? h / 2 : impact;
-        if (is_free) {
-            fly_freely(part.world, first);
+        if (division.is_free) {
+            fly_freely(part.world, division.time);
         } else {
             // From `most_divisions` on, only the later part is divided again. So the number of
             // parts grows in proportion to the number of bounces, and not exponentially.
             const int of_first = is_at_limit ? most_divisions_of_few : divisions + 1;
-            take_substep(part, step, of_first, first, refined);
+            take_substep(part, step, of_first, division.time, refined);
         }
-        take_substep(part, step, divisions + 1, h - first, refined);
+        take_substep(part, step, divisions + 1, h - division.time, refined);
         keep_warm_contacts(part, refined);
         for (std::size_t k = 0; k < part.bodies.size(); ++k)
             if (!part.world.bodies[k].is_static)

@@ -28,6 +28,8 @@ using StepOfPart =
 /// otherwise.
 inline constexpr int most_divisions = 10;
 inline constexpr int most_divisions_of_few = 400;
+/// A prediction of the end of sliding is corrected at most this many times.
+inline constexpr int most_divisions_of_sliding = 6;
 
 /// Repeats the step of an island in two parts, in these cases:
 /// 1. The overlap of two bodies has grown too much. The step is divided in the middle. During a
@@ -44,19 +46,24 @@ inline constexpr int most_divisions_of_few = 400;
 /// 4. The only impulse in the island is a hit after which the two bodies stay together, as at ε = 0
 ///    under gravity (`Island::lands_at`). The step is divided at the time of impact, because the
 ///    bodies would be stopped at the start of the step otherwise, before they touch.
+/// 5. In an island of at most `few_bodies` bodies, a contact stops sliding (end_of_sliding.hpp).
+///    The step is divided at this time, because the force of friction changes then.
 ///
 /// In cases 2 and 3, a bounce does not count if `bounce_at_impacts` (impact.hpp) has already moved
 /// it to its time of impact.
 ///
-/// An island is refined only if it has at most 32 bodies and none of them is `pulled`.
+/// An island is refined only if it has at most 32 bodies. If springs, applied forces or drag act on
+/// it, only case 5 counts, and it is refined only if no spring connects it with a body outside it
+/// that can move and no deformable solid presses on it.
 ///
 /// @param world    only its counters change
 /// @param problem  the impulses of repeated islands are set to zero in it
+/// @param first    the bodies before the forces
 /// @param pulled   for each body, whether springs, applied forces or drag act on it
 /// @param states   the states after the step; those of repeated islands are replaced
 /// @param divisions  the depth of this step in the recursion, 0 for the whole step
 /// @param step     advances a world by one part of the step; it may divide this part again
-Refinement refine_by_substeps(World& world, ContactProblem& problem,
+Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::vector<Body>& first,
                               const std::vector<bool>& pulled, const ContactCandidates& candidates,
                               std::vector<RigidState>& states, int divisions,
                               const StepOfPart& step);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "rigid/contact/contact_problem.hpp"
+
+namespace rigor {
+
+/// The time at which a contact of the island stops sliding within the step, since the start of the
+/// step [s]. The contact stage gives a contact one force of friction for the whole step. If sliding
+/// ends or turns round within the step, friction in truth has its limit, against the sliding, up to
+/// this time, and another value after it.
+///
+/// The time is predicted: with friction at its limit during the whole step, the velocity of sliding
+/// would change at a constant rate, and it would pass zero at this time. If several contacts stop
+/// sliding, the first time counts.
+///
+/// @param first       the bodies before the forces
+/// @param negligible  a share of the change of speed by friction in the step: below it, a contact
+///                    counts as one that does not slide at the start, or whose friction is at its
+///                    limit. Also the smallest share of the step that is worth a division.
+/// @return the time, or 0 if no contact stops, the island has more than `few_bodies` bodies, one of
+///         its contacts bounced, or it lies on a driven body that turns
+double end_of_sliding(const ContactProblem& problem, const Island& island,
+                      const std::vector<Body>& first, double negligible);
+
+} // namespace rigor
