@@ -101,6 +101,8 @@ TEST_CASE("plasticity: what has no stiffness never yields", "[A6.7][plasticity]"
 {
     REQUIRE_THAT(yield_strain(1, 0), IsExactly(infinity));
     REQUIRE_THAT(yield_strain(0, 0), IsExactly(infinity));
+    REQUIRE_THAT(yield_strain(1, -0.0), IsExactly(infinity));
+    REQUIRE_THAT(yield_strain(0, -0.0), IsExactly(infinity));
     INFO("and what has no strength does at once");
     REQUIRE_THAT(yield_strain(0, 3), IsExactly(0.0));
 }

@@ -63,7 +63,7 @@ TEST_CASE("plasticity: a small change of shape beside a large change of volume c
 {
     // √(3/2) ‖dev ε‖ is √3 √(a² + b²). The sums p + a and p - a are exact, and dev ε is off by no
     // more than the rounding of ε.
-    for (const double p : {-0.125, -0x1p-10, 0x1p-10, 0.125, 1.0, 64.0})
+    for (const double p : {-0.125, -0x1p-10, 0x1p-60, 0x1p-30, 0x1p-10, 0.125, 1.0, 64.0, 0x1p40})
         for (int power = 1; power <= 40; ++power)
             for (const double share : {0.0, 0.5, 1.0}) {
                 CAPTURE(p, power, share);

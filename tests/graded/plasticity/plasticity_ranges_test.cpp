@@ -11,12 +11,13 @@ using namespace rigor::testing;
 TEST_CASE("plasticity: a shear counts however small it is beside the pressure",
           "[A6.4][plasticity]")
 {
-    for (int power = 0; power <= 13; ++power) {
-        const double tau = std::pow(10.0, -power);
-        CAPTURE(tau);
-        const Matrix3d sigma = shear(tau) - Matrix3d::Identity();
-        REQUIRE_THAT(von_mises(sigma), IsClose(std::sqrt(3) * tau, Rounding(32, tau + 2)));
-    }
+    for (const double p : {1e-9, 1e-3, 1.0, 1e9})
+        for (int power = 0; power <= 13; ++power) {
+            const double tau = p * std::pow(10.0, -power);
+            CAPTURE(p, tau);
+            const Matrix3d sigma = shear(tau) - p * Matrix3d::Identity();
+            REQUIRE_THAT(von_mises(sigma), IsClose(std::sqrt(3) * tau, Rounding(32, tau + 2 * p)));
+        }
 }
 
 TEST_CASE("plasticity: a shear strain counts however small it is beside the change of volume",
