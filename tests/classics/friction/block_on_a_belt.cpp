@@ -7,7 +7,8 @@
 using namespace rigor;
 using namespace rigor::testing;
 
-TEST_CASE("classics: a block on a belt and a spring swings by the speed of the belt", "[classics]")
+TEST_CASE("classics: a block on a belt and a spring swings by the speed of the belt",
+          "[classics][unsanitized]")
 {
     const double k = 100, M = 2, mu = 0.3, w = std::sqrt(k / M), middle = mu * M * g / k;
     for (const double u : {0.05, 0.2}) { // less than μ g/ω, so that it sticks at first

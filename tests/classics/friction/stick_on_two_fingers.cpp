@@ -7,7 +7,7 @@
 using namespace rigor;
 using namespace rigor::testing;
 
-TEST_CASE("classics: two fingers under a stick meet at its center", "[classics]")
+TEST_CASE("classics: two fingers under a stick meet at its center", "[classics][unsanitized]")
 {
     const double mu = 0.4, u = 0.1, R = 0.02;
     const Quaternion lying = turn({1, 0, 0}, pi / 2);

@@ -8,7 +8,7 @@
 using namespace rigor;
 using namespace rigor::testing;
 
-TEST_CASE("classics: two balls and a wall count the digits of pi", "[classics]")
+TEST_CASE("classics: two balls and a wall count the digits of pi", "[classics][unsanitized]")
 {
     const Material elastic{1, 0};
     for (const int n : {0, 1, 2}) {

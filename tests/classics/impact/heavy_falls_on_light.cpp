@@ -142,7 +142,8 @@ World slab_on_legs(const Leg& leg, int columns, int layers, double ratio)
 
 } // namespace
 
-TEST_CASE("classics: a heavy slab that falls on light legs stops with them", "[classics]")
+TEST_CASE("classics: a heavy slab that falls on light legs stops with them",
+          "[classics][unsanitized]")
 {
     Sweep sweep;
     const Shape cube = Mesh{std::make_shared<SolidMesh>(box_mesh({0.4, 0.4, 0.4}))};

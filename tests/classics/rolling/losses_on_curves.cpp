@@ -134,7 +134,7 @@ TEST_CASE("classics: a pebble and an egg rock on with their energy", "[classics]
                 }
 }
 
-TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics]")
+TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics][unsanitized]")
 {
     Sweep sweep;
     // The wall ahead is steeper than the wall below, in corners or along a curve. A body that moves
@@ -176,7 +176,8 @@ TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics]")
     }
 }
 
-TEST_CASE("classics: a ball swings in a faceted bowl or ring without a gain", "[classics]")
+TEST_CASE("classics: a ball swings in a faceted bowl or ring without a gain",
+          "[classics][unsanitized]")
 {
     Sweep sweep;
     const Material smooth{0, 0};

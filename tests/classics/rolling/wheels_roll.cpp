@@ -147,7 +147,7 @@ TEST_CASE("classics: a polygonal wheel loses no more than its corners take", "[c
     }
 }
 
-TEST_CASE("classics: a mesh wheel rolls on at any step", "[classics]")
+TEST_CASE("classics: a mesh wheel rolls on at any step", "[classics][unsanitized]")
 {
     Sweep sweep;
     // In a step that crosses corners, a wheel rolls like a round one and may lose nothing.

@@ -106,12 +106,14 @@ void cross_joints(const Shape& tile, bool (*holds)(const std::string& name))
 
 } // namespace
 
-TEST_CASE("classics: the joints of a floor of tiles do not change a motion", "[classics]")
+TEST_CASE("classics: the joints of a floor of tiles do not change a motion",
+          "[classics][unsanitized]")
 {
     cross_joints(Box{{wide, 1, deep}}, [](const std::string&) { return true; });
 }
 
-TEST_CASE("classics: the joints of a floor of convex meshes do not change a motion", "[classics]")
+TEST_CASE("classics: the joints of a floor of convex meshes do not change a motion",
+          "[classics][unsanitized]")
 {
     // Capsules and tori still catch on such joints.
     cross_joints(mesh_of(box_mesh({wide, 1, deep})), [](const std::string& name) {

@@ -130,7 +130,7 @@ TEST_CASE("classics: a smooth floor takes nothing from a block on a spring", "[c
 }
 
 TEST_CASE("classics: friction takes energy from a block on a spring however stiff it is",
-          "[classics]")
+          "[classics][unsanitized]")
 {
     Sweep sweep;
     for (const double k : {1e3, 1e4, 5e4, 1.2e5, 2e5, 1e6, 1e7})
