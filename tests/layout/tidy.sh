@@ -3,8 +3,10 @@
 # Runs clang-tidy over the framework, the reference and the tests' support, with the checks of
 # .clang-tidy.
 #
-#   tests/layout/tidy.sh           the sources that differ from the last commit
-#   tests/layout/tidy.sh --all     all of them
+#   tests/layout/tidy.sh             the sources that differ from the last commit
+#   tests/layout/tidy.sh --recent    those that the last twenty commits changed, or all where the
+#                                    history is not known; so the test checks, which runs more often
+#   tests/layout/tidy.sh --all       all of them
 #
 # Eigen takes longer to read than our own code. The sources therefore go into a few files, one for
 # each processor, that include them one after the other. A source waits for the next round if the
@@ -35,10 +37,11 @@ for folder in framework reference tests/support; do
     [[ ! -d $folder ]] || folders+=("$folder")
 done
 
-# Lists changed sources. A changed header is checked through the sources that include it.
+# Lists the sources that differ from a commit. A changed header is checked through the sources that
+# include it.
 changed_sources() {
     local file
-    git diff --name-only --diff-filter=d HEAD -- "${folders[@]}" >"$work/changed"
+    git diff --name-only --diff-filter=d "$1" -- "${folders[@]}" >"$work/changed"
     git ls-files --others --exclude-standard -- "${folders[@]}" >>"$work/changed"
     while read -r file; do
         case $file in
@@ -91,10 +94,14 @@ check_lot() {
     done
 }
 
-if [[ ${1:-} == --all ]]; then all_sources; else changed_sources; fi >"$work/sources"
+since=HEAD
+if [[ ${1:-} == --recent ]]; then
+    since=$(git rev-parse --verify --quiet HEAD~20 2>/dev/null) || set -- --all
+fi
+if [[ ${1:-} == --all ]]; then all_sources; else changed_sources "$since"; fi >"$work/sources"
 if [[ ! -s $work/sources ]]; then
     [[ ${1:-} != --all ]] || { echo "no sources found in $root"; exit 1; }
-    echo "no source was changed since the last commit"
+    echo "no source was changed since $since"
     exit 0
 fi
 
