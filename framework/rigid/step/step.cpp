@@ -5,10 +5,10 @@
 // island whose contacts move along a curve is solved again with the contacts in the middle of the
 // step. After the positions, single bounces are computed at their exact times. Then the step of
 // an island with too much new overlap is repeated in two halves. The step of an island in which two
-// balls meet is repeated in two parts, before and after the impact, and that of a small island in
-// which a contact stops sliding in two parts, before and after that time. If a body may have
-// penetrated another one where the search for contacts did not look, the step of the whole world is
-// repeated in two halves. Last, islands at rest fall asleep.
+// balls meet is repeated in two parts, before and after the impact, and that of a single body that
+// stops sliding in two parts, before and after that time. If a body may have penetrated another one
+// where the search for contacts did not look, the step of the whole world is repeated in two
+// halves. Last, islands at rest fall asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"

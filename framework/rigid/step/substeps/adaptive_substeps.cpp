@@ -5,8 +5,7 @@
 // only where this bound is too large. An island with too much new overlap is copied into a separate
 // world, with the static bodies near it, and takes two steps of half the length. An island in which
 // two balls meet, or a small one with several bounces, takes one step up to the first impact and
-// one after it. A small one in which a contact stops sliding takes one step up to this time and one
-// after it.
+// one after it. A single body that stops sliding takes one step up to this time and one after it.
 #include "rigid/step/substeps/adaptive_substeps.hpp"
 
 #include "rigid/detection/overlap_depth.hpp"
@@ -154,13 +153,6 @@ private:
     Overlap overlap_; // after the step
 };
 
-// The argument `negligible` of `end_of_sliding`. Between several bodies, the solver leaves some
-// speed at contacts that stick. In a part of a step, the end of sliding is only corrected.
-double negligible_sliding(const Island& island, int divisions)
-{
-    return island.bodies.size() > 1 && divisions == 0 ? 1e-2 : 1e-4;
-}
-
 // Whether all bodies of the pair that can move are balls.
 bool moves_only_balls(const World& world, const ContactConstraint& c)
 {
@@ -295,8 +287,7 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::
         if (is_halved)
             division.time = h / 2;
         else if (division.time == 0 && divisions < most_divisions_of_sliding)
-            division.time =
-                end_of_sliding(problem, island, first, negligible_sliding(island, divisions));
+            division.time = end_of_sliding(problem, island, first);
         if (division.time == 0 || is_tied(world, island)) continue;
         IslandWorld part = part_of(world, island, candidates.contacts);
         if (division.is_free) {

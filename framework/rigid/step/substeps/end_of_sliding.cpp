@@ -15,6 +15,11 @@ struct SlidingContact {
     Vector3d limit = Vector3d::Zero();     // friction at its limit against the sliding [N s]
 };
 
+// A share of the change of speed by friction in a step. Below it, a contact counts as one that does
+// not slide at the start, or whose friction is at its limit. Also the smallest share of a step that
+// is worth a division.
+constexpr double negligible = 1e-3;
+
 Vector3d along_surface(const ContactConstraint& c, const Vector3d& v)
 {
     return v - c.normal.dot(v) * c.normal;
@@ -45,7 +50,7 @@ bool turns(const DrivenBody* drive)
 }
 
 std::vector<SlidingContact> sliding_contacts(const ContactProblem& problem, const Island& island,
-                                             const std::vector<Body>& first, double negligible)
+                                             const std::vector<Body>& first)
 {
     std::vector<SlidingContact> sliding;
     for (const ContactPair& pair : island.pairs)
@@ -70,18 +75,17 @@ std::vector<SlidingContact> sliding_contacts(const ContactProblem& problem, cons
 } // namespace
 
 double end_of_sliding(const ContactProblem& problem, const Island& island,
-                      const std::vector<Body>& first, double negligible)
+                      const std::vector<Body>& first)
 {
     const ContactMethod method = problem.settings.contact_method;
     if (method == ContactMethod::one_at_a_time || method == ContactMethod::shock_propagation)
         return 0; // they leave speeds of sliding that are no end of sliding
-    if (island.bodies.size() > few_bodies) return 0;
+    if (island.bodies.size() > 1) return 0;
     for (const ContactPair& pair : island.pairs)
         for (int i = pair.first; i < pair.last; ++i)
             if (!problem.contacts[i].collision_impulse.isZero(0)) return 0;
 
-    const std::vector<SlidingContact> sliding =
-        sliding_contacts(problem, island, first, negligible);
+    const std::vector<SlidingContact> sliding = sliding_contacts(problem, island, first);
     const auto is_below_limit = [&](const SlidingContact& s) {
         const Vector3d friction = along_surface(*s.contact, s.contact->contact_impulse);
         return (s.limit - friction).norm() > negligible * s.limit.norm();

@@ -14,13 +14,11 @@ namespace rigor {
 /// would change at a constant rate, and it would pass zero at this time. If several contacts stop
 /// sliding, the first time counts.
 ///
-/// @param first       the bodies before the forces
-/// @param negligible  a share of the change of speed by friction in the step: below it, a contact
-///                    counts as one that does not slide at the start, or whose friction is at its
-///                    limit. Also the smallest share of the step that is worth a division.
-/// @return the time, or 0 if no contact stops, the island has more than `few_bodies` bodies, one of
-///         its contacts bounced, or it lies on a driven body that turns
+/// @param first  the bodies before the forces
+/// @return the time, or 0 if no contact stops, the island has several bodies, one of its contacts
+///         bounced, or it lies on a driven body that turns. (Between several bodies, the solver
+///         leaves speeds at contacts that stick.)
 double end_of_sliding(const ContactProblem& problem, const Island& island,
-                      const std::vector<Body>& first, double negligible);
+                      const std::vector<Body>& first);
 
 } // namespace rigor
