@@ -28,7 +28,8 @@ using StepOfPart =
 /// otherwise.
 inline constexpr int most_divisions = 10;
 inline constexpr int most_divisions_of_few = 400;
-/// A prediction of the end of sliding is corrected at most this many times.
+/// Parts of this depth are not divided at the end of sliding: the step is divided at the predicted
+/// time, and its parts at the corrected one.
 inline constexpr int most_divisions_of_sliding = 2;
 
 /// Repeats the step of an island in two parts, in these cases:
@@ -46,8 +47,8 @@ inline constexpr int most_divisions_of_sliding = 2;
 /// 4. The only impulse in the island is a hit after which the two bodies stay together, as at ε = 0
 ///    under gravity (`Island::lands_at`). The step is divided at the time of impact, because the
 ///    bodies would be stopped at the start of the step otherwise, before they touch.
-/// 5. In an island of a single body, a contact stops sliding (end_of_sliding.hpp).
-///    The step is divided at this time, because the force of friction changes then.
+/// 5. In an island of a single body, a contact stops sliding (end_of_sliding.hpp). The step is
+///    divided at this time, because the force of friction changes then.
 ///
 /// In cases 2 and 3, a bounce does not count if `bounce_at_impacts` (impact.hpp) has already moved
 /// it to its time of impact.
