@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The name that is most like a misspelt word, by the edit distance of Damerau (1964). The distance
 // is computed by dynamic programming, with one row of the table for each letter of the word. The
-// name with the smallest distance wins, unless too many letters differ.
+// name with the smallest distance wins. If too many letters differ everywhere, the name wins that
+// begins with the word.
 #include "errors/nearest.hpp"
 
 #include "errors/quotes.hpp"
@@ -38,6 +39,20 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
     return previous[b.size()];
 }
 
+// The only name that begins with this word, or empty.
+std::string_view completed(std::string_view word, std::span<const std::string_view> names)
+{
+    constexpr std::size_t fewest_letters = 3; // fewer are the beginning of too many names
+    if (word.size() < fewest_letters) return {};
+    std::string_view found;
+    for (const std::string_view name : names) {
+        if (!name.starts_with(word)) continue;
+        if (!found.empty()) return {};
+        found = name;
+    }
+    return found;
+}
+
 } // namespace
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> names)
@@ -51,7 +66,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
         best = name;
         best_distance = distance;
     }
-    return best;
+    return best.empty() ? completed(word, names) : best;
 }
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> names,

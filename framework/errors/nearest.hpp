@@ -9,10 +9,11 @@ namespace rigor {
 
 /// The name that is spelt most like `word`, by the number of letters to insert, remove, replace or
 /// swap with a neighbour (Damerau 1964, "A technique for computer detection and correction of
-/// spelling errors"). The result is empty if `word` is longer than 64 bytes, or if every name
-/// differs
+/// spelling errors"). If every name differs
 /// 1. in all letters, or
-/// 2. in more than 2 letters, and in more than a third of the letters of `word`.
+/// 2. in more than 2 letters, and in more than a third of the letters of `word`,
+/// it is the only name that begins with `word`, of at least three letters. The result is empty if
+/// there is none, or if `word` is longer than 64 bytes.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> names);
 
 /// The end of an error message about a word that is not among the known `names`: `; did you mean

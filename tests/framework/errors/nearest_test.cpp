@@ -14,6 +14,15 @@ TEST_CASE("nearest: a misspelt word gets the name that needs the fewest changes"
     CHECK(nearest("densityy", names) == "density");       // a letter too many
 }
 
+TEST_CASE("nearest: a word that is cut short gets the name that it begins", "[errors]")
+{
+    constexpr std::array<std::string_view, 3> names = {"youngs_modulus", "yield_stress",
+                                                       "yield_strain"};
+    CHECK(nearest("young", names) == "youngs_modulus");
+    CHECK(nearest("yield", names).empty()); // either of two
+    CHECK(nearest("yo", names).empty());    // too short
+}
+
 TEST_CASE("nearest: a word unlike every name gets none", "[errors]")
 {
     constexpr std::array<std::string_view, 2> names = {"box", "ball"};

@@ -99,6 +99,7 @@ template <class Result> void check_again(Result again, const Result& expected, c
     choose_as(again, expected, q);
     const auto& should = comparable(expected);
     const bool is_same = std::is_same_v<std::remove_cvref_t<decltype(should)>, Result>;
+    INFO("the expected value is the formula's own answer to this call before; either may be wrong");
     REQUIRE_THAT(comparable(again), IsClose(should, is_same ? Exactly() : universal(should)));
 }
 

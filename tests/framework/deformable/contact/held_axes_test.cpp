@@ -102,7 +102,7 @@ TEST_CASE("held axes: in plane strain a block slides or sticks as friction says"
 }
 
 TEST_CASE("held axes: a block in a vertical guide is lifted by a slope that it is pushed along",
-          "[deformable]")
+          "[deformable][unsanitized]")
 {
     for (const NodeIntegrator integrator : integrators)
         for (const double slope : {0.2, 0.7, 1.2}) { // [rad]

@@ -83,7 +83,7 @@ bool separate(Deformable& solid, World& world)
 
 } // namespace
 
-TEST_CASE("inverted elements: nothing that can break stays inside out", "[deformable]")
+TEST_CASE("inverted elements: nothing that can break stays inside out", "[deformable][unsanitized]")
 {
     for (const NodeIntegrator integrator : integrators) {
         int held_for_good = 0;

@@ -114,7 +114,7 @@ TEST_CASE("sleep: a block that begins to slip does not sleep", "[rigid]")
     CHECK(world.bodies[1].state.velocity.norm() > 0.01);
 }
 
-TEST_CASE("sleep: a pile comes to rest and sleeps where it would lie awake", "[rigid]")
+TEST_CASE("sleep: a pile comes to rest and sleeps where it would lie awake", "[rigid][unsanitized]")
 {
     for (const auto& [side, seed] : piles) {
         CAPTURE(side, seed);
@@ -137,7 +137,7 @@ TEST_CASE("sleep: a pile comes to rest and sleeps where it would lie awake", "[r
 
 // Without the impulses that it had before its sleep, a large pile would jump when it wakes: the
 // sweeps of the first step would not find all impulses anew.
-TEST_CASE("sleep: a pile that wakes stays in its place", "[rigid]")
+TEST_CASE("sleep: a pile that wakes stays in its place", "[rigid][unsanitized]")
 {
     for (const auto& [side, seed] : piles) {
         CAPTURE(side, seed);
