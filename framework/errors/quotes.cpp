@@ -9,9 +9,8 @@
 
 namespace rigor {
 
-std::string in_quotes(std::string_view text)
+std::string in_quotes(std::string_view text, std::size_t longest)
 {
-    constexpr std::size_t longest = 40;
     std::string shown = "\"";
     for (std::size_t i = 0; i < text.size();) {
         if (i >= longest) return shown + "…\"";
@@ -27,6 +26,14 @@ std::string in_quotes(std::string_view text)
         i += std::max<std::size_t>(size, 1);
     }
     return shown + "\"";
+}
+
+std::string behind_bars(std::string_view text)
+{
+    std::string shown = "| ";
+    for (const char c : text.substr(0, text.find_last_not_of('\n') + 1))
+        shown += c == '\n' ? std::string("\n| ") : std::string(1, c);
+    return shown;
 }
 
 } // namespace rigor

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace rigor {
@@ -20,6 +22,14 @@ std::string text_of(const json& line, const char* key)
     if (found->is_string()) return found->get<std::string>();
     if (found->is_number_float()) return fmt::format("{:.3g}", found->get<double>());
     return found->dump();
+}
+
+// A number of the line, 0 if there is none. JSON has null for what is no number.
+double number_of(const json& line, const char* key)
+{
+    const auto found = line.find(key);
+    if (found == line.end()) return 0;
+    return found->is_null() ? std::numeric_limits<double>::quiet_NaN() : found->get<double>();
 }
 
 // The lines of the message without repetitions. The line with the seed is left out, since the seed
@@ -44,7 +54,7 @@ TestCase test_case(const json& line)
     result.mistake = text_of(line, "mistake");
     result.is_hidden = line.at("hidden").get<bool>();
     result.seconds = line.at("seconds").get<double>();
-    result.largest_error = line.value("largest_error", 0.0);
+    result.largest_error = number_of(line, "largest_error");
     result.expected = text_of(line, "expected");
     result.actual = text_of(line, "actual");
     result.place = text_of(line, "place");
@@ -97,6 +107,13 @@ void Verdicts::add(const std::string& status, TestCase&& test)
         test.status = *known;
     } else {
         throw std::runtime_error("'" + status + "' is no status");
+    }
+    if (!std::isfinite(test.largest_error)) { // then no comparison can be trusted
+        test.largest_error = 0;
+        if (test.status == Status::passed) {
+            test.status = Status::failed;
+            test.message = "the error of a comparison is not a number";
+        }
     }
     tests_[tag_].push_back(std::move(test));
 }

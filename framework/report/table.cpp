@@ -5,6 +5,9 @@
 #include "report/table.hpp"
 
 #include "formulas/table.hpp"
+#include "grading/intake/contents.hpp"
+#include "grading/intake/plain_file.hpp"
+#include "grading/intake/refused.hpp"
 #include "grading/places.hpp"
 #include "report/terminal.hpp"
 
@@ -269,6 +272,16 @@ std::string next_step(const Result& result, const Implementation& implementation
            row("to read", handout(*next));
 }
 
+// The text of a student's file; empty if the file is none that can be taken.
+std::string source_of(const std::filesystem::path& file)
+{
+    try {
+        return read_plain_file(file, IntakeLimits().source_bytes).text;
+    } catch (const Refused&) {
+        return "";
+    }
+}
+
 std::string total(const Result& result, bool color)
 {
     const Color of = result.all_points() ? Color::green : Color::none;
@@ -298,9 +311,9 @@ std::string place_of(const Implementation& implementation, const std::string& to
                      const std::string& formula)
 {
     const std::string shown = implementation.shown_file(topic);
-    std::ifstream file(implementation.file(topic));
+    std::istringstream source(source_of(implementation.file(topic)));
     int number = 0;
-    for (std::string line; std::getline(file, line);) {
+    for (std::string line; std::getline(source, line);) {
         ++number;
         const std::size_t at = line.find(formula + "(");
         const bool begins = at != std::string::npos && at > 0 && line[at - 1] == ' ';

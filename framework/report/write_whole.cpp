@@ -10,9 +10,14 @@
 
 namespace rigor {
 
+std::filesystem::path draft_of(const std::filesystem::path& file)
+{
+    return file.string() + ".new";
+}
+
 void write_whole(const std::filesystem::path& file, const std::string& content)
 {
-    const std::string draft = file.string() + ".new";
+    const std::string draft = draft_of(file).string();
     const auto fail = [&] {
         const int error = errno;
         unlink(draft.c_str());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The ways in which an implementation can fail to give a valid answer. A student's code can cause
 // no other exceptions in a call of a `Worker` than these and `NotImplemented`. A call through the
-// proxy can also throw std::out_of_range (proxy/answer_sizes.hpp). Any other exception is a fault
-// in the framework.
+// proxy can also throw std::out_of_range (proxy/answer_sizes.hpp), and the run of a scene
+// std::domain_error, if with the answers a spring is too stiff or a longest step is 0. Any other
+// exception is a fault in the framework.
 #pragma once
 
 #include <stdexcept>
@@ -66,6 +67,13 @@ struct NotFinite : std::runtime_error {
     {
     }
     std::string subject, quantity;
+};
+
+/// The reference has no answer for numbers beyond `largest_for_reference`. No test and no scene
+/// asks for them by itself, so the submission's answers led there, and the reference is not to
+/// blame.
+struct BeyondReference : NotFinite {
+    using NotFinite::NotFinite;
 };
 
 } // namespace rigor

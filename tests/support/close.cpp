@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Comparison of values with a tolerance, component by component. A component that is not finite
-// fails at once. Otherwise the component that exceeds its bound most is reported, or of several
-// with the bound 0 the one with the largest error. The first failure in a test case goes into its
-// verdict.
+// fails at once, and so does one whose bound is not finite: such a bound comes from numbers so
+// large that their norm is not finite, and would accept anything. Otherwise the component that
+// exceeds its bound most is reported, or of several with the bound 0 the one with the largest
+// error. The first failure in a test case goes into its verdict.
 #include "support/close.hpp"
 
 #include "support/largest_error.hpp"
@@ -48,6 +49,13 @@ void note_error(double error, double tolerance)
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// The bound of number i; not finite if the numbers that it comes from are too large for a norm.
+double bound_of(const Tolerance& tolerance, const Components& expected, std::size_t i)
+{
+    if (tolerance.absolute != 0) return tolerance.absolute;
+    return tolerance.relative == 0 ? 0 : tolerance.relative * expected.scale(i);
+}
+
 } // namespace
 
 double& largest_error_in_tolerances()
@@ -88,14 +96,15 @@ Difference difference_between(const Components& actual, const Components& expect
         return {Difference::size, 0, infinity, 0, {}};
     Difference worst;
     double worst_excess = 0;
+    const bool is_bounded = std::isfinite(tolerance.absolute);
     for (std::size_t i = 0; i < actual.numbers.size(); ++i) {
         const double a = actual.numbers[i], e = expected.numbers[i];
-        if (a == e) continue; // also for ∞ = ∞
-        const double bound =
-            tolerance.absolute > 0 ? tolerance.absolute : tolerance.relative * expected.scale(i);
+        if (a == e && is_bounded) continue; // also for ∞ = ∞
+        const double bound = bound_of(tolerance, expected, i);
         if (!std::isfinite(a)) // fails at any tolerance
             return {Difference::not_finite, i, infinity, bound, {}};
         const double error = std::abs(a - e);
+        if (!std::isfinite(bound)) return {Difference::unbounded, i, error, bound, {}};
         if (error <= bound) {
             note_error(error, bound);
             continue;
@@ -136,9 +145,13 @@ std::string describe(const std::string& expected, const Tolerance& tolerance,
 {
     std::string text = fmt::format("should be {} (class {}, {})", expected,
                                    tolerance.tolerance_class, tolerance.reason);
-    if (difference.kind != Difference::none)
-        text += fmt::format("; error {:.3g} > {:.3g}{}", difference.error, difference.bound,
-                            difference.place.empty() ? "" : " in " + difference.place);
+    const std::string place = difference.place.empty() ? "" : " in " + difference.place;
+    if (difference.kind == Difference::unbounded)
+        text += "; nothing is accepted, since the tolerance is not finite: the numbers that it "
+                "comes from are too large" +
+                place;
+    else if (difference.kind != Difference::none)
+        text += fmt::format("; error {:.3g} > {:.3g}{}", difference.error, difference.bound, place);
     return text;
 }
 
@@ -202,12 +215,17 @@ void check_bound(const Bounded& bounded, double scale)
 {
     const auto& [value, excess, law] = bounded;
     const double slack = 4 * eps * scale;
-    const bool finite = std::isfinite(value), holds = finite && excess <= slack;
+    // An excess or a slack that is not finite comes from numbers that are too large.
+    const bool finite = std::isfinite(value),
+               is_bounded = std::isfinite(excess) && std::isfinite(slack),
+               holds = finite && is_bounded && excess <= slack;
     if (holds) note_error(excess, slack);
     if (!holds)
         note(finite ? "failed" : "not_finite", law, number(value), "I",
              {Difference::number, 0, finite ? excess : value, slack, ""});
-    INFO(law);
+    INFO(law + (is_bounded || !finite ? ""
+                                      : "; nothing is accepted, since the limit or its "
+                                        "tolerance is not finite"));
     CAPTURE(value);
     REQUIRE(finite);
     REQUIRE(holds);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Comparison of values with a tolerance that has a class. A NaN is never close to anything.
+// Comparison of values with a tolerance that has a class. A NaN is never close to anything, and
+// nothing is close by a tolerance that is not finite.
 //
 //     REQUIRE_THAT(world_inertia(R, I), IsClose(expected, Rounding(16)));
 //
@@ -44,7 +45,8 @@ Tolerance Exactly();
 
 /// How two values differ.
 struct Difference {
-    enum Kind { none, size, not_finite, number } kind = none;
+    // `unbounded`: the bound is not finite, so the comparison would accept anything
+    enum Kind { none, size, not_finite, unbounded, number } kind = none;
     std::size_t index = 0;       // the number that exceeds its bound most, or is not finite
     double error = 0, bound = 0; // error and bound of that number
     std::string place;           // "inertia(0, 1)"

@@ -26,6 +26,16 @@ namespace {
 
 RunOptions options;
 
+// A text of the verdict, of which the reader of the line needs the beginning. Values of a
+// submission may be lists of millions of numbers, and a line that is too long is no verdict.
+std::string beginning(std::string text)
+{
+    constexpr std::size_t longest = std::size_t{1} << 14; // [bytes]
+    if (text.size() <= longest) return text;
+    text.resize(longest);
+    return text + " ...";
+}
+
 std::string text_of(const nlohmann::ordered_json& line)
 {
     return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -100,9 +110,9 @@ public:
         send({{"tag", task_tag(tags_)},
               {"name", name_},
               {"status", v.status},
-              {"message", message_},
-              {"expected", v.expected},
-              {"actual", v.actual},
+              {"message", beginning(message_)},
+              {"expected", beginning(v.expected)},
+              {"actual", beginning(v.actual)},
               {"error", v.error},
               {"tolerance", v.tolerance},
               {"largest_error", largest_error_in_tolerances()},

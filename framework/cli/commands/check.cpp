@@ -9,6 +9,7 @@
 #include "grading/places.hpp"
 #include "grading/run_tests.hpp"
 #include "grading/selection.hpp"
+#include "report/build_notes.hpp"
 #include "report/result_json.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"
@@ -41,22 +42,6 @@ int status_of(const std::vector<Result>& results)
     return any([](const Result& r) { return !r.all_points(); }) ? exit_wrong : exit_done;
 }
 
-void say_what_was_built(const Implementation& implementation)
-{
-    for (const auto& [topic, errors] : implementation.broken)
-        fmt::print(stderr, "{}/{}.cpp does not compile: its formulas are missing\n",
-                   implementation.name, topic);
-    if (!implementation.borrowed.empty())
-        fmt::print(stderr, "{} has no {}.cpp: what student/ has takes their place\n",
-                   implementation.name, fmt::join(implementation.borrowed, ".cpp, "));
-    for (const std::string& name : implementation.undefined)
-        fmt::print(stderr, "{} calls {}, which is defined nowhere\n", implementation.name, name);
-    if (!implementation.build_steps.empty())
-        fmt::print(stderr, "built in {:.1f} s ({} {})\n", implementation.build_seconds,
-                   implementation.build_steps.size(),
-                   implementation.build_steps.size() == 1 ? "step" : "steps");
-}
-
 void print_report(const std::vector<Result>& results, const Implementation& implementation)
 {
     const bool color = wants_color(STDOUT_FILENO);
@@ -87,7 +72,7 @@ int check(const CheckOptions& options)
     const Implementation implementation = prepared_implementation(options.with);
     for (const Selection& selection : selections)
         if (!options.what.empty()) require_own_file(selection, implementation);
-    say_what_was_built(implementation);
+    fmt::print(stderr, "{}", build_notes(implementation));
     if (options.with != "student" && options.with != "reference")
         fmt::print(stderr, "walls around it: {}\n", description(usual_tier()));
     if (has_too_weak_walls())

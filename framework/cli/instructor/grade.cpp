@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
+#include <set>
 #include <thread>
 
 namespace rigor {
@@ -40,6 +41,16 @@ struct GradeOptions {
 // Names of the files about the whole class, which are written beside the submissions' folders.
 constexpr const char *gradebook_file = "gradebook.csv", *summary_file = "summary.txt",
                      *canvas_file = "canvas.csv", *moodle_file = "moodle.csv";
+
+// The names that no folder of a submission may have: those of the files, also while these are being
+// written, and that of the folder with the state of the run.
+std::set<std::string> reserved_names()
+{
+    std::set<std::string> names = {".rigor"};
+    for (const char* file : {gradebook_file, summary_file, canvas_file, moodle_file})
+        names.insert({file, draft_of(file).string()});
+    return names;
+}
 
 unsigned jobs_of(const GradeOptions& options)
 {
@@ -128,9 +139,8 @@ public:
     {
         check_usage(options_);
         engine_ = engine_for(options_, [&](const std::string& text) { say(text); });
-        const FoundSubmissions found =
-            find_submissions(options_.submissions, selection_.assignment.topic + ".cpp",
-                             {gradebook_file, summary_file, canvas_file, moodle_file, ".rigor"});
+        const FoundSubmissions found = find_submissions(
+            options_.submissions, selection_.assignment.topic + ".cpp", reserved_names());
         for (const std::string& note : found.notes)
             say(note);
         const ClassFolder folder(options_.out, selection_.assignment.name,
@@ -268,7 +278,8 @@ Action declare_grade(Options& options)
     options.word("ASSIGNMENT", chosen->assignment, "a4-collision, a4 or collision");
     options.words("SUBMISSION", chosen->submissions,
                   "Folders or archives (.zip, .tar, .tar.gz, ...), or a folder of them. A folder "
-                  "is one submission if the assignment's file lies in it");
+                  "is one submission if the assignment's file lies in it. Several paths are one "
+                  "submission each, unless all are folders of them");
     options.option("--out", "DIR", chosen->out,
                    "Folder for the results: empty, new, or that of an earlier run, of which what "
                    "has not changed is kept");

@@ -73,7 +73,7 @@ std::vector<Candidate> candidates(const Deformable& solid, const ElementWorkspac
             continue;
         }
         ++world.counters.eigenvalues;
-        const auto normal = crack_plane(smooth[e], m.strength);
+        const auto normal = checked_normal(crack_plane(smooth[e], m.strength));
         if (normal) found.push_back({e, normal->dot(smooth[e] * *normal), *normal});
     }
     std::stable_sort(found.begin(), found.end(),
@@ -208,9 +208,9 @@ int crack_elements(Deformable& solid, const std::vector<Candidate>& found)
         const auto& vertices = solid.rest.vertices;
         const auto at = std::find(vertices.begin(), vertices.end(), tip.place);
         if (at == vertices.end()) continue;
-        const SplitMesh split = checked_split(
+        const SplitMesh split = checked_split_element(
             split_element(solid.rest, static_cast<int>(at - vertices.begin()), tip.normal),
-            solid.rest, "split_element");
+            solid.rest);
         const bool is_changed = split.mesh.vertices.size() != vertices.size();
         if (!is_changed || !is_fine_enough(solid, split)) continue;
         remesh(solid, split);

@@ -25,7 +25,7 @@ namespace {
 
 double radius_of(const Deformable& solid)
 {
-    Vector3d low = solid.positions[0], high = low;
+    Vector3d low = solid.positions.at(0), high = low;
     for (const Vector3d& x : solid.positions) {
         low = low.cwiseMin(x);
         high = high.cwiseMax(x);
@@ -36,11 +36,12 @@ double radius_of(const Deformable& solid)
 void require_finite(const Deformable& solid, double time)
 {
     for (std::size_t i = 0; i < solid.positions.size(); ++i) {
-        if (!solid.positions[i].allFinite()) throw NonFiniteState(solid.name, "x", time);
-        if (!solid.velocities[i].allFinite()) throw NonFiniteState(solid.name, "v", time);
+        require_in_range(solid.positions[i], solid.name, "x", time);
+        require_in_range(solid.velocities[i], solid.name, "v", time);
     }
     for (const Matrix3d& strain : solid.plastic_strains)
-        if (!strain.allFinite()) throw NonFiniteState(solid.name, "plastic strain", time);
+        for (int axis = 0; axis < 3; ++axis)
+            require_in_range(strain.col(axis), solid.name, "plastic strain", time);
 }
 
 void move(Deformable& solid, RigidColliders& rigid, World& world, double time_step)

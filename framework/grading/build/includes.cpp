@@ -65,6 +65,24 @@ bool may_include(const fs::path& file, const fs::path& folder)
     return !is_within(file, tree) && !is_within(file, build);
 }
 
+// Whether a path goes back by `..` from a folder that a solution may not include from. The path
+// shows whether this folder exists, although it may lead to an allowed file.
+bool makes_detour(const fs::path& path, const fs::path& folder)
+{
+    const fs::path formulas = fs::weakly_canonical(places().source) / "framework/formulas";
+    fs::path walked;
+    for (const fs::path& part : path) {
+        if (part == "..") {
+            const bool is_on_the_way = is_within(folder, walked) || is_within(formulas, walked);
+            if (!is_on_the_way && !may_include(walked, folder)) return true;
+            walked = walked.parent_path();
+        } else if (part != ".") {
+            walked /= part;
+        }
+    }
+    return false;
+}
+
 // The path for messages, relative to the top of the tree.
 std::string shown(const fs::path& file)
 {
@@ -80,7 +98,7 @@ std::string forbidden_include(const fs::path& list, const fs::path& folder)
     for (const std::string& name : listed_files(list)) {
         std::error_code missing;
         const fs::path file = fs::canonical(own / name, missing);
-        if (!missing && may_include(file, own)) continue;
+        if (!missing && may_include(file, own) && !makes_detour(own / name, own)) continue;
         return list.stem().string() + ".cpp: includes " + (missing ? name : shown(file)) +
                ": a solution may include framework/formulas/, its own folder and what the "
                "system offers\n";

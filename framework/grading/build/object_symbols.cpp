@@ -5,10 +5,8 @@
 #include "formulas/table.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cxxabi.h>
+#include <fmt/format.h>
 #include <iterator>
-#include <memory>
 #include <sstream>
 #include <string_view>
 
@@ -16,26 +14,18 @@ namespace rigor {
 
 namespace {
 
-// The C++ name for a linker name, such as "rigor::combine(rigor::MassProperties const&, …)"; empty
-// if there is none.
-std::string demangled(const std::string& name)
-{
-    int status = 0;
-    const std::unique_ptr<char, decltype(&std::free)> text(
-        abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), &std::free);
-    return status == 0 ? text.get() : "";
-}
-
 // The formula that a linker name stands for, whatever its signature; nullptr if it is no formula.
-const Formula* formula_of(const std::string& symbol)
+// The ABI of C++ (Itanium) writes `rigor::torque(...)` as `_ZN5rigor6torqueE...`. Nothing demangles
+// the rest, because a short name can stand for a signature of 10¹² letters.
+const Formula* formula_of(std::string_view symbol)
 {
-    const std::string text = demangled(symbol);
-    constexpr std::string_view scope = "rigor::";
-    const std::size_t end = text.find('(');
-    if (!text.starts_with(scope) || end == std::string::npos) return nullptr;
-    const std::string name = text.substr(scope.size(), end - scope.size());
-    for (const Formula& row : formulas)
-        if (row.name == name) return &row;
+    constexpr std::string_view scope = "_ZN5rigor";
+    if (!symbol.starts_with(scope)) return nullptr;
+    symbol.remove_prefix(scope.size());
+    for (const Formula& row : formulas) {
+        const std::string function = fmt::format("{}{}E", row.name.size(), row.name);
+        if (symbol.starts_with(function) && symbol.size() > function.size()) return &row;
+    }
     return nullptr;
 }
 

@@ -73,6 +73,23 @@ bool is_empty_talk(const std::string& line)
                        [&](std::string_view words) { return mentions(line, words); });
 }
 
+// Removes the answers to `#pragma GCC dependency "file"`, which asks whether a file exists and is
+// newer. Each is a warning that may be followed by the line of the source.
+std::vector<std::string> without_answers_about_files(const std::vector<std::string>& lines)
+{
+    std::vector<std::string> kept;
+    bool is_answer = false;
+    for (const std::string& line : lines) {
+        if (mentions(line, "cannot find source file") ||
+            mentions(line, "current file is older than"))
+            is_answer = true;
+        else if (mentions(line, "error: ") || mentions(line, "warning: "))
+            is_answer = false;
+        if (!is_answer) kept.push_back(line);
+    }
+    return kept;
+}
+
 std::string in_plain_words(std::string line)
 {
     if (mentions(line, "compilation terminated due to -fmax-errors") ||
@@ -98,17 +115,19 @@ std::string shown_errors(const std::string& output)
     // A message may contain text of the student, even with line breaks. The bar before each line
     // shows that the line is a message of the tool and not a verdict of the grader.
     std::string barred;
-    for (const std::string& line : lines_of(first_errors(lines_of(text))))
+    const std::vector<std::string> lines = without_answers_about_files(lines_of(text));
+    for (const std::string& line : lines_of(first_errors(lines)))
         if (!is_empty_talk(line)) barred += "| " + in_plain_words(line) + "\n";
     return barred;
 }
 
 ToolLimit limit_met(const std::string& output)
 {
-    // The texts below are the system's names of two signals, and messages of gcc, Clang and the
-    // assembler about a lack of memory.
+    // The texts below are the system's names of signals, and messages of gcc, Clang and the
+    // assembler about a lack of memory. A linker that does not end at the first signal is killed.
     if (mentions(output, "File size limit exceeded")) return ToolLimit::file_size;
-    if (mentions(output, "CPU time limit exceeded")) return ToolLimit::time;
+    for (const char* words : {"CPU time limit exceeded", "ld terminated with signal 9"})
+        if (mentions(output, words)) return ToolLimit::time;
     for (const char* words : {": out of memory", "virtual memory exhausted", "memory exhausted",
                               "Cannot allocate memory", "std::bad_alloc"})
         if (mentions(output, words)) return ToolLimit::memory;

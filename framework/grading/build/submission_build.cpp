@@ -122,7 +122,7 @@ public:
     {
         const fs::path out = folder_ / "out/link";
         const ScratchFolder scratch(out);
-        ToolRun tool{tools_.link, places().build, inputs(), out, largest_worker()};
+        ToolRun tool{tools_.link, out, inputs(), out, largest_worker(), link_limit};
         for (const auto& [topic, hidden] : hidden_names()) {
             fs::path object = objects_.at(topic)->object;
             if (!hidden.empty()) {
@@ -138,6 +138,8 @@ public:
         for (const fs::path& input : tool.readable)
             let_others_read(input);
         const ConfinedRun linked = run_tool(tool);
+        if (linked.timed_out || limit_met(linked.output) == ToolLimit::time)
+            return {fmt::format("cannot be linked: took longer than {} s\n", link_limit), {}};
         if (limit_met(linked.output) == ToolLimit::file_size)
             return {fmt::format("cannot be linked: expected a program of at most {} MB\n",
                                 largest_worker() >> 20),
@@ -191,7 +193,9 @@ private:
                 {{"/usr/bin/objcopy", option + list.string(), from.string(), to.string()},
                  copy.parent_path(),
                  {from},
-                 copy.parent_path()});
+                 copy.parent_path(),
+                 largest_output,
+                 link_limit});
         };
         // A name that must be unique in a process (GNU unique) becomes local only if it is made
         // weak first.

@@ -124,11 +124,15 @@ void take_link(Toolchain& tools, const std::string& command)
         if (words[i] == "-o") {
             ++i;
         } else {
-            if (words[i][0] != '-' && words[i][0] != '/' && (ending == ".o" || ending == ".a"))
-                tools.linked_inputs.push_back(words[i]);
-            tools.link.push_back(words[i]);
+            const bool is_input =
+                words[i][0] != '-' && words[i][0] != '/' && (ending == ".o" || ending == ".a");
+            if (is_input) tools.linked_inputs.push_back(words[i]);
+            tools.link.push_back(is_input ? (places().build / words[i]).string() : words[i]);
         }
     }
+    // An object may hold code for the optimiser of the linker, which gcc's plugin would compile.
+    if (tools.link[0].find("clang") == std::string::npos)
+        tools.link.emplace_back("-fno-use-linker-plugin");
     // With this option, a name that is defined nowhere does not make the link fail. Only the
     // formulas that use the name fail.
     tools.link.emplace_back("-Wl,--warn-unresolved-symbols");
@@ -139,16 +143,19 @@ constexpr double busy = 4;
 
 } // namespace
 
-// Half of the machine's memory, but at least `least` and at most `most`. The grader keeps the rest.
-// A solution needs far less.
+// Three quarters of the machine's memory, shared by all tools that run at a time: a compiler and
+// its assembler on each processor. The grader keeps the rest. A solution needs far less than
+// `least`.
 std::uint64_t memory_of_a_tool()
 {
     constexpr std::uint64_t most = std::uint64_t{6} << 30,
                             least = std::uint64_t{1} << 30; // [bytes]
-    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
-    if (pages <= 0 || size <= 0) return most;
-    return std::clamp(static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 2,
-                      least, most);
+    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE),
+               processors = sysconf(_SC_NPROCESSORS_ONLN);
+    if (pages <= 0 || size <= 0 || processors <= 0) return least;
+    const std::uint64_t all = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size),
+                        tools = 2 * static_cast<std::uint64_t>(processors);
+    return std::clamp(all / 4 * 3 / tools, least, most);
 }
 
 std::string chosen_compiler()
@@ -194,10 +201,10 @@ ConfinedRun run_tool(const ToolRun& tool)
     walls.limits.address_space = memory_of_a_tool();
     // A compiler starts an assembler, and a linker starts some threads for each processor.
     walls.limits.processes = 64 + 4 * std::thread::hardware_concurrency();
-    walls.limits.processor_time = static_cast<std::uint64_t>(compile_limit);
+    walls.limits.processor_time = static_cast<std::uint64_t>(tool.time);
     walls.limits.file_size = tool.largest_file;
     RunLimits limits;
-    limits.time = std::chrono::duration<double>(busy * compile_limit);
+    limits.time = std::chrono::duration<double>(busy * tool.time);
     return run_confined(walls, tool.arguments, limits);
 }
 

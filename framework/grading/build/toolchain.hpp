@@ -3,6 +3,7 @@
 // are run behind walls, that is, in a sandbox.
 #pragma once
 
+#include "grading/build/ninja.hpp"
 #include "sandbox/run_confined.hpp"
 
 #include <cstdint>
@@ -41,6 +42,9 @@ inline constexpr std::uint64_t largest_output = std::uint64_t{16} << 20;
 /// The limit on the memory of a compiler or linker [bytes].
 std::uint64_t memory_of_a_tool();
 
+/// The limit on the processor time of a linker, which needs a hundredth of it [s].
+inline constexpr double link_limit = 5;
+
 /// A tool that is run for a submission, such as a compiler or linker. It may read `folder`,
 /// `readable` and the files of the system, and write in `out` only.
 struct ToolRun {
@@ -49,6 +53,7 @@ struct ToolRun {
     std::vector<std::filesystem::path> readable;
     std::filesystem::path out;
     std::uint64_t largest_file = largest_output; // the largest file that it may write [bytes]
+    double time = compile_limit;                 // processor time [s]
 };
 
 /// Runs a tool. @throws std::system_error if it cannot be started in the sandbox

@@ -5,6 +5,7 @@
 #include "grading/build/toolchain.hpp"
 #include "grading/intake/folder.hpp"
 #include "grading/intake/intake.hpp"
+#include "grading/intake/plain_file.hpp"
 #include "grading/intake/refused.hpp"
 #include "grading/places.hpp"
 #include "sandbox/tier.hpp"
@@ -21,7 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The hash of a file's bytes, continued from `hash`. A file that cannot be read counts as absent.
+// The hash of the bytes of a file of ours, continued from `hash`. A file that cannot be read counts
+// as absent.
 std::uint64_t hash_of_file(const fs::path& file, std::uint64_t hash)
 {
     std::ifstream in(file, std::ios::binary);
@@ -31,6 +33,21 @@ std::uint64_t hash_of_file(const fs::path& file, std::uint64_t hash)
         hash =
             hash_of(std::string_view(block).substr(0, static_cast<std::size_t>(in.gcount())), hash);
     return hash;
+}
+
+// The hash of a file that a student handed in: of its bytes, or of the reason why the intake will
+// refuse it. An archive that is too large is not read: a file with gaps can have any size, and
+// everybody would wait for it.
+std::uint64_t hash_of_handed_in(const fs::path& path, std::uint64_t hash)
+{
+    try {
+        const std::size_t most = IntakeLimits().archive_bytes;
+        const PlainFile file = read_plain_file(path, most);
+        if (file.size > most) return hash_of(fmt::format("too large: {}", file.size), hash);
+        return hash_of(file.text, hash);
+    } catch (const Refused& refused) {
+        return hash_of(refused.what(), hash);
+    }
 }
 
 // The hash of all files with one of these endings in a folder and below, in the order of the names.
@@ -86,7 +103,7 @@ std::string fingerprint_of(const Submission& submission, std::uint64_t all_but_t
         hash_of(submission.name + '\0' + submission.refusal, all_but_the_submission);
     if (!submission.refusal.empty()) return text(hash);
     if (!fs::is_directory(submission.path))
-        return text(hash_of_file(submission.path, hash_of("archive", hash)));
+        return text(hash_of_handed_in(submission.path, hash_of("archive", hash)));
     try {
         const Contents contents = read_folder(submission.path);
         for (const auto& [name, content] : contents.sources())
@@ -94,7 +111,7 @@ std::string fingerprint_of(const Submission& submission, std::uint64_t all_but_t
         for (const std::string& name : contents.others())
             hash = hash_of(name + '\0', hash);
         if (const std::string archive = only_archive_in(contents); !archive.empty())
-            hash = hash_of_file(submission.path / archive, hash);
+            hash = hash_of_handed_in(submission.path / archive, hash);
     } catch (const Refused& refused) {
         hash = hash_of(refused.what(), hash);
     }

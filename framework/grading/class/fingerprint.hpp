@@ -20,7 +20,7 @@ std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run);
 
 /// The fingerprint of a submission's result: two hashes of 16 hexadecimal digits, first
 /// `all_but_the_submission`, then a hash of this number and of the submission. An archive is hashed
-/// as it is, without unpacking it.
+/// as it is, without unpacking it; of one that is larger than the intake accepts, only the size.
 std::string fingerprint_of(const Submission& submission, std::uint64_t all_but_the_submission);
 
 /// Whether the result with this fingerprint was made with the same tests, points, seeds and

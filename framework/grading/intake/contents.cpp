@@ -34,7 +34,8 @@ std::string Contents::add_name(std::string_view given)
     if (++entries_ > limits_.entries)
         throw Refused(fmt::format("expected at most {} files, found more", limits_.entries));
     if (!is_plain_utf8(raw))
-        throw Refused("expected names in UTF-8 without control characters, found " +
+        throw Refused("expected names in UTF-8 without control characters and without invisible "
+                      "ones, found " +
                       in_quotes(given));
     if (raw.size() > longest_name)
         throw Refused(fmt::format("expected names of at most {} bytes, found {}", longest_name,
@@ -79,9 +80,7 @@ void Contents::add_source(const std::string& name, std::string text)
     require_new(name);
     require_place(name);
     source_bytes_ += text.size();
-    if (source_bytes_ > limits_.source_bytes)
-        throw Refused(fmt::format("expected sources of at most {} MB together, found more",
-                                  limits_.source_bytes >> 20));
+    if (source_bytes_ > limits_.source_bytes) refuse_too_many_sources(limits_);
     sources_.emplace(name, std::move(text));
 }
 
@@ -89,6 +88,12 @@ void Contents::add_other(const std::string& name)
 {
     require_new(name);
     others_.insert(name);
+}
+
+void refuse_too_many_sources(const IntakeLimits& limits)
+{
+    throw Refused(fmt::format("expected sources of at most {} MB together, found more",
+                              limits.source_bytes >> 20));
 }
 
 bool is_source(std::string_view name)

@@ -52,6 +52,9 @@ private:
     std::set<std::string> others_;
 };
 
+/// @throws Refused because all sources together are larger than the limit
+[[noreturn]] void refuse_too_many_sources(const IntakeLimits& limits);
+
 /// Whether a file is a C++ source or header.
 bool is_source(std::string_view name);
 

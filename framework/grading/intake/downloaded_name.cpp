@@ -10,14 +10,17 @@ namespace rigor {
 
 std::optional<DownloadedName> downloaded_name(const std::string& name)
 {
-    static const std::regex moodle("^(.+)_([0-9]+)_assignsubmission_(file|onlinetext)(?:_(.*))?$"),
-        canvas("^([^_]+)_(?:LATE_)?([0-9]+)_[0-9]+_(.*)$");
+    // The student's own name for the file comes last, and may look like anything. So what the
+    // system has written is the first that looks like it: `.+?` is as short as possible, and the
+    // name from Canvas, which is over after three underscores, is tried first.
+    static const std::regex canvas("^([^_]+)_(?:LATE_)?([0-9]+)_[0-9]+_(.*)$"),
+        moodle("^(.+?)_([0-9]+)_assignsubmission_(file|onlinetext)(?:_(.*))?$");
     std::smatch parts;
+    if (std::regex_match(name, parts, canvas))
+        return DownloadedName{LearningSystem::canvas, parts[1], parts[2], parts[3], false};
     if (std::regex_match(name, parts, moodle))
         return DownloadedName{LearningSystem::moodle, parts[1], parts[2], parts[4],
                               parts[3] == "onlinetext"};
-    if (std::regex_match(name, parts, canvas))
-        return DownloadedName{LearningSystem::canvas, parts[1], parts[2], parts[3], false};
     return {};
 }
 

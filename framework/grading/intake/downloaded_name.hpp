@@ -25,7 +25,8 @@ struct DownloadedName {
 /// Parses a name from Canvas or Moodle; empty for any other name. Canvas:
 /// `doejane_LATE_4711_99_collision.cpp`. Moodle: `Jane Doe_17_assignsubmission_file` for a folder,
 /// or `Jane Doe_17_assignsubmission_file_collision.cpp` where Moodle makes no folder. The name of a
-/// `Submission`, which lacks the ending of the file, gives the same student.
+/// `Submission`, which lacks the ending of the file, gives the same student. Whatever name the
+/// student gave the file, it does not change which student it is.
 std::optional<DownloadedName> downloaded_name(const std::string& name);
 
 /// Whether the student's name for a file is the wanted one. Canvas adds a number when a file is

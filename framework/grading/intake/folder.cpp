@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Walks through a folder in the order of the names, so that the first fault that is found is the
-// same on every machine. Each source is opened without following a link and without waiting for a
-// writer. Files and folders that a program made, such as `.git`, are not opened; only their names
-// are listed.
+// same on every machine. Each source is read as plain_file.hpp says. Files and folders that a
+// program made, such as `.git`, are not opened; only their names are listed.
 #include "grading/intake/folder.hpp"
 
 #include "errors/quotes.hpp"
+#include "grading/intake/plain_file.hpp"
 #include "grading/intake/refused.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace rigor {
@@ -24,15 +23,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int deepest = 32; // levels of folders inside each other
-
-std::string_view forbidden_kind(mode_t mode)
-{
-    return S_ISREG(mode) || S_ISDIR(mode) ? ""
-           : S_ISLNK(mode)                ? "a link"
-           : S_ISFIFO(mode)               ? "a pipe"
-           : S_ISSOCK(mode)               ? "a socket"
-                                          : "a device";
-}
 
 class FolderReader {
 public:
@@ -83,7 +73,7 @@ private:
         const std::string called = contents_.add_name(name.string());
         struct stat status = {};
         if (lstat((folder_ / name).c_str(), &status) != 0) fail(name, errno);
-        if (const std::string_view kind = forbidden_kind(status.st_mode); !kind.empty())
+        if (const std::string_view kind = special_kind(status.st_mode); !kind.empty())
             throw Refused(fmt::format("expected files and folders, found {}, {}", kind,
                                       in_quotes(name.string())));
         const bool is_by_author = !is_by_product(name.string());
@@ -97,20 +87,9 @@ private:
 
     std::string text_of(const fs::path& name) const
     {
-        const int file = open((folder_ / name).c_str(),
-                              O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-        if (file < 0) fail(name, errno);
-        std::string text;
-        std::string block(65536, '\0');
-        ssize_t n = 1;
-        while (n > 0 && text.size() <= limits_.source_bytes) {
-            n = ::read(file, block.data(), block.size());
-            if (n > 0) text.append(block, 0, static_cast<std::size_t>(n));
-        }
-        const int error = errno;
-        close(file);
-        if (n < 0) fail(name, error);
-        return text;
+        PlainFile file = read_plain_file(folder_ / name, limits_.source_bytes);
+        if (file.size > limits_.source_bytes) refuse_too_many_sources(limits_);
+        return std::move(file.text);
     }
 
     fs::path folder_;

@@ -8,12 +8,13 @@
 #include "grading/intake/contents.hpp"
 #include "grading/intake/downloaded_name.hpp"
 #include "grading/intake/intake.hpp"
+#include "grading/intake/listing.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
-#include <optional>
 #include <set>
+#include <utility>
 
 namespace rigor {
 
@@ -21,83 +22,43 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool holds(const fs::path& folder, const std::string& wanted)
+// Whether a folder that is the only path of the command is a folder of submissions.
+bool is_class(const fs::path& folder, const Listing& listing, const std::string& wanted)
+{
+    return !holds(folder, wanted) &&
+           !(listing.archives.empty() && listing.downloaded.empty() && listing.folders.empty());
+}
+
+// Whether one of several paths looks like a folder of submissions. A single archive or a single
+// folder with the wanted file may be all that a student has handed in.
+bool looks_like_class(const fs::path& path, const Listing& listing, const std::string& wanted)
+{
+    if (!fs::is_directory(path) || listing.error || holds(path, wanted)) return false;
+    const auto near =
+        std::count_if(listing.folders.begin(), listing.folders.end(),
+                      [&](const fs::path& folder) { return has_wanted_near(folder, wanted); });
+    return !listing.downloaded.empty() ||
+           listing.archives.size() + static_cast<std::size_t>(near) > 1;
+}
+
+bool is_link(const fs::path& path)
 {
     std::error_code error;
-    return fs::exists(fs::symlink_status(folder / wanted, error));
+    return fs::is_symlink(fs::symlink_status(path, error));
 }
 
-// Whether Canvas or Moodle gives this name to a file that was handed in without an archive, or to a
-// folder with nothing but a text typed into a web page.
-bool is_downloaded_alone(const std::string& file, bool is_folder)
+// An absolute path without links, except that the last part may be one.
+// @throws InputError if there is nothing of this name
+fs::path named_path(const std::string& text)
 {
-    const std::optional<DownloadedName> name = downloaded_name(file);
-    if (!name) return false;
-    return is_folder ? name->is_online_text : !name->file.empty() && !is_archive_name(file);
-}
-
-// The content of a folder. Folders and archives that programs made, such as `.git`, are only in the
-// list `dotted`; other files that programs made are in no list.
-struct Listing {
-    std::vector<fs::path> folders, archives, links, others;
-    std::vector<fs::path> downloaded; // single files and typed texts, named by Canvas or Moodle
-    std::vector<fs::path> dotted;     // folders and archives that programs made
-
-    bool is_empty() const
-    {
-        return folders.empty() && archives.empty() && links.empty() && others.empty() &&
-               downloaded.empty();
-    }
-};
-
-Listing listing_of(const fs::path& folder)
-{
-    Listing listing;
     std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
-        std::error_code unknown;
-        const fs::file_status status = entry->symlink_status(unknown);
-        if (is_by_product(name)) {
-            if (fs::is_directory(status) || is_archive_name(name))
-                listing.dotted.push_back(entry->path());
-            continue;
-        }
-        if (fs::is_symlink(status))
-            listing.links.push_back(entry->path());
-        else if (is_downloaded_alone(name, fs::is_directory(status)))
-            listing.downloaded.push_back(entry->path());
-        else if (fs::is_directory(status))
-            listing.folders.push_back(entry->path());
-        else if (fs::is_regular_file(status) && is_archive_name(name))
-            listing.archives.push_back(entry->path());
-        else
-            listing.others.push_back(entry->path());
-    }
-    if (error) throw InputError(folder.string() + ": cannot be read: " + error.message());
-    std::sort(listing.downloaded.begin(), listing.downloaded.end());
-    return listing;
-}
-
-bool has_wanted_near(const fs::path& folder, const std::string& wanted)
-{
-    if (holds(folder, wanted)) return true;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error))
-        if (entry->is_directory(error) && holds(entry->path(), wanted)) return true;
-    return false;
-}
-
-bool holds_many(const fs::path& folder, const Listing& listing, const std::string& wanted,
-                bool is_only_path)
-{
-    if (holds(folder, wanted)) return false;
-    if (!listing.archives.empty() || !listing.downloaded.empty()) return true;
-    if (is_only_path) return !listing.folders.empty();
-    return std::count_if(listing.folders.begin(), listing.folders.end(),
-                         [&](const fs::path& f) { return has_wanted_near(f, wanted); }) > 1;
+    fs::path path = fs::absolute(text, error);
+    if (!path.has_filename()) path = path.parent_path(); // "alice/"
+    path = is_link(path) ? fs::canonical(path.parent_path(), error) / path.filename()
+                         : fs::canonical(path, error);
+    if (error)
+        throw InputError("expected a folder or an archive, found no file " + in_quotes(text));
+    return path;
 }
 
 class Search {
@@ -107,27 +68,52 @@ public:
     {
     }
 
-    void add_path(const std::string& text, bool is_only_path)
+    // The user may name a link, which is followed if it is the only path.
+    void add_only_path(const fs::path& named)
     {
         std::error_code error;
-        const fs::path path = fs::canonical(text, error);
+        const fs::path path = fs::canonical(named, error);
         if (error)
-            throw InputError("expected a folder or an archive, found no file " + in_quotes(text));
+            throw InputError("expected a folder or an archive, found a link to nothing, " +
+                             in_quotes(named.filename().string()));
         if (!fs::is_directory(path)) return add(path);
         const Listing listing = listing_of(path);
-        if (is_only_path && listing.is_empty()) return; // no submission: `result` throws
+        if (listing.error)
+            throw InputError(path.string() + ": cannot be read: " + listing.error.message());
+        if (listing.is_empty()) return; // no submission: `result` throws
         require_one_or_many(path, listing);
-        if (!holds_many(path, listing, wanted_, is_only_path)) return add(path);
-        for (const fs::path& folder : listing.folders)
-            add(folder);
-        for (const fs::path& archive : listing.archives)
-            add(archive);
-        for (const fs::path& link : listing.links)
-            add(link, "expected a folder or an archive, found a link");
-        add_downloaded(listing);
-        note_passed_over(path, listing.others, "expected folders and archives");
-        note_passed_over(path, listing.dotted,
-                         "a name that begins with a dot is that of a program's own folder");
+        if (is_class(path, listing, wanted_))
+            add_class(path, listing);
+        else
+            add(path);
+    }
+
+    // Adds either what lies in each of several folders, or each path as one submission. The paths
+    // may be the entries of a class, `class/*`. In these, a student's folder must not count as
+    // several submissions, whose names could be those of others.
+    void add_paths(const std::set<fs::path>& paths)
+    {
+        std::map<fs::path, Listing> classes;
+        fs::path one; // a path that is a submission
+        for (const fs::path& path : paths) {
+            Listing listing = is_link(path) ? Listing() : listing_of(path);
+            if (!is_link(path) && looks_like_class(path, listing, wanted_))
+                classes.emplace(path, std::move(listing));
+            else
+                one = path;
+        }
+        if (one.empty()) {
+            for (const auto& [path, listing] : classes)
+                add_class(path, listing);
+            return;
+        }
+        for (const fs::path& path : paths)
+            add(path, is_link(path) ? "expected a folder or an archive, found a link" : "");
+        for (const auto& [path, listing] : classes)
+            notes_.push_back(fmt::format(
+                "{} looks like a folder of submissions and counts as one, since {} beside it is "
+                "one: name either submissions or folders of them",
+                in_quotes(path.filename().string()), in_quotes(one.filename().string())));
     }
 
     FoundSubmissions result() const
@@ -154,6 +140,20 @@ public:
     }
 
 private:
+    void add_class(const fs::path& path, const Listing& listing)
+    {
+        for (const fs::path& folder : listing.folders)
+            add(folder);
+        for (const fs::path& archive : listing.archives)
+            add(archive);
+        for (const fs::path& link : listing.links)
+            add(link, "expected a folder or an archive, found a link");
+        add_downloaded(listing);
+        note_passed_over(path, listing.others, "expected folders and archives");
+        note_passed_over(path, listing.dotted,
+                         "a name that begins with a dot is that of a program's own folder");
+    }
+
     // A folder with the wanted file is a single submission. @throws InputError if such a folder
     // also looks like that of a whole class: if it has a submission from Canvas or Moodle, or at
     // least two other submissions. A single other submission may be a backup of the student.
@@ -194,7 +194,9 @@ private:
             submission.refusal = "expected a folder or an archive, found neither";
         if (!is_plain_utf8(file)) {
             submission.refusal =
-                "expected a name in UTF-8 without control characters, found " + in_quotes(file);
+                "expected a name in UTF-8 without control characters and without invisible ones, "
+                "found " +
+                in_quotes(file);
             submission.name = escaped(submission.name);
         }
         if (reserved_.count(submission.name)) {
@@ -240,11 +242,17 @@ private:
     // copy of another, since only the instructor knows which one counts.
     void add_notes_about_several(std::vector<std::string>& notes) const
     {
-        std::map<std::string, std::vector<std::string>> files; // by student
+        // The files by system and number, as the platforms find a student, and by the first name
+        // that was found with this number.
+        std::map<std::pair<LearningSystem, std::string>, std::string> students;
+        std::map<std::string, std::vector<std::string>> files;
         for (const auto& [submission, same_name] : found_)
             for (const Submission& one : same_name) {
                 const std::string file = one.path.filename().string();
-                if (const auto name = downloaded_name(file)) files[name->student()].push_back(file);
+                if (const auto name = downloaded_name(file))
+                    files[students.try_emplace({name->system, name->number}, name->student())
+                              .first->second]
+                        .push_back(file);
             }
         for (const auto& [submission, same_name] : found_)
             if (const std::string original = without_number(submission); found_.count(original) > 0)
@@ -306,9 +314,14 @@ private:
 FoundSubmissions find_submissions(const std::vector<std::string>& paths, const std::string& wanted,
                                   const std::set<std::string>& reserved)
 {
-    Search search(wanted, reserved);
+    std::set<fs::path> named;
     for (const std::string& path : paths)
-        search.add_path(path, paths.size() == 1);
+        named.insert(named_path(path));
+    Search search(wanted, reserved);
+    if (named.size() == 1)
+        search.add_only_path(*named.begin());
+    else
+        search.add_paths(named);
     return search.result();
 }
 

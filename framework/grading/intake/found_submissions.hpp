@@ -21,15 +21,19 @@ struct FoundSubmissions {
     std::vector<std::string> notes;      // lines about ignored files and about doubtful cases
 };
 
-/// Finds all submissions. Each path is a submission or a folder of submissions. A folder without
-/// the wanted file is a folder of submissions if it contains one of these:
-/// 1. an archive,
-/// 2. a file with a name that Canvas or Moodle gives (downloaded_name.hpp),
-/// 3. several folders with the wanted file in them, or in a folder inside,
-/// 4. any folder, if the user names no other path.
-/// Then its archives and folders are submissions, and so are its files from Canvas or Moodle. Such
-/// a file is passed over if it has another name than the wanted one and its student has another
-/// submission.
+/// Finds all submissions. A single path is a submission or a folder of submissions: the latter if
+/// it lacks the wanted file and contains an archive, a folder, or a file with a name that Canvas or
+/// Moodle gives (downloaded_name.hpp).
+///
+/// Several paths are folders of submissions if each of them looks like one: if it lacks the wanted
+/// file and contains a file that Canvas or Moodle has named, or at least two of archives and
+/// folders with the wanted file in them or in a folder inside. Otherwise each path is one
+/// submission, whatever it contains, and a note names those that look like folders of submissions.
+/// So with `class/*` no student's folder can count as several submissions, with names of others.
+///
+/// In a folder of submissions, its archives and folders are submissions, and so are its files from
+/// Canvas or Moodle. Such a file is passed over if it has another name than the wanted one and its
+/// student has another submission.
 ///
 /// `notes` names each student who has several submissions, according to the names that Canvas or
 /// Moodle gave.
@@ -37,7 +41,7 @@ struct FoundSubmissions {
 /// A submission is refused, with the reason in `refusal`, in these cases:
 /// 1. Another submission has the same name.
 /// 2. Its name cannot be shown, or is reserved. Then its name is changed.
-/// 3. It is a link, or anything else that is neither a folder nor a file.
+/// 3. It is a link, except as the only path, or anything else that is neither a folder nor a file.
 /// 4. It is a file from Canvas or Moodle with another name than the wanted one, and the student has
 ///    no other submission.
 /// @param wanted  name of the file that the assignment asks for

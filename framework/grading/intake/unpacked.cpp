@@ -4,16 +4,13 @@
 // kind `e` ends the list.
 #include "grading/intake/unpacked.hpp"
 
+#include "grading/intake/plain_file.hpp"
 #include "grading/intake/refused.hpp"
 #include "sandbox/run_confined.hpp"
 
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace rigor {
 
@@ -176,10 +173,7 @@ IntakeLimits limits_of(const std::vector<std::string>& arguments)
 
 Contents read_archive_behind_walls(const fs::path& file, const IntakeLimits& limits)
 {
-    const int opened = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (opened < 0) throw Refused(std::string("cannot be read: ") + std::strerror(errno));
-    const Descriptor archive(opened, "open");
-    return read_printed(what_unpack_prints(archive, limits), limits);
+    return read_printed(what_unpack_prints(opened_plain_file(file), limits), limits);
 }
 
 } // namespace rigor

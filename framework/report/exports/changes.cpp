@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/exports/changes.hpp"
 
+#include "report/exports/listed_name.hpp"
+
 #include <algorithm>
 #include <cassert>
 #include <fmt/format.h>
@@ -66,11 +68,11 @@ std::string mean(const std::vector<double>& points)
 
 std::string change_text(const std::optional<Row>& before, const Row& after)
 {
-    if (!before) return fmt::format("  {}: new, {}\n", after.submission, points_in_words(after));
+    const std::string name = listed_name(after.submission);
+    if (!before) return fmt::format("  {}: new, {}\n", name, points_in_words(after));
     const std::string tasks = tasks_that_change(*before, after);
     if (before->status == after.status && tasks.empty()) return "";
-    return fmt::format("  {}: {} → {}\n", after.submission, points_in_words(*before),
-                       points_in_words(after)) +
+    return fmt::format("  {}: {} → {}\n", name, points_in_words(*before), points_in_words(after)) +
            tasks;
 }
 

@@ -3,6 +3,7 @@
 
 #include "grading/intake/downloaded_name.hpp"
 #include "report/exports/csv.hpp"
+#include "report/exports/listed_name.hpp"
 
 #include <algorithm>
 #include <array>
@@ -79,10 +80,10 @@ std::string tasks_table(const std::vector<const Row*>& rows)
 // The name of a student in a list: the name and the id that Canvas or Moodle has written into the
 // name of the submission, or else the whole name of the submission. The id tells two students of
 // the same name apart.
-std::string listed_name(const Row& row)
+std::string listed_student(const Row& row)
 {
     const std::optional<DownloadedName> name = downloaded_name(row.submission);
-    return name ? name->student() : row.submission;
+    return listed_name(name ? name->student() : row.submission);
 }
 
 // Names in lines of about 100 columns. Each line begins after `indent` columns; for the first line
@@ -110,8 +111,8 @@ std::string failed_by_task(const std::vector<const Row*>& rows)
         std::vector<std::string> names;
         for (const Row* row : rows) {
             const Fate fate = fate_of(*row, t);
-            if (fate == Fate::failed) names.push_back(listed_name(*row));
-            if (fate == Fate::not_defined) names.push_back(listed_name(*row) + " (not defined)");
+            if (fate == Fate::failed) names.push_back(listed_student(*row));
+            if (fate == Fate::not_defined) names.push_back(listed_student(*row) + " (not defined)");
         }
         if (!names.empty())
             text += fmt::format("  {:<8}{}\n", rows.front()->tasks[t].tag, wrapped(names, 10));
@@ -142,7 +143,7 @@ std::string without_points(const std::vector<const Row*>& rows)
     std::vector<std::string> names;
     for (const Row* row : rows)
         if (row->points == 0)
-            names.push_back(fmt::format("{} ({})", listed_name(*row), why_no_points(*row)));
+            names.push_back(fmt::format("{} ({})", listed_student(*row), why_no_points(*row)));
     return names.empty() ? "" : "\n0 points:\n  " + wrapped(names, 2) + "\n";
 }
 
@@ -203,7 +204,7 @@ std::string not_tested(const std::vector<Row>& rows)
     for (const Row& row : rows)
         if (row.status != "graded") {
             const std::string why = row.message.substr(0, row.message.find('\n'));
-            text += fmt::format("  {}: {}{}{}\n", row.submission, row.status,
+            text += fmt::format("  {}: {}{}{}\n", listed_name(row.submission), row.status,
                                 why.empty() ? "" : ": ", why);
         }
     return text.empty() ? "" : "\nwithout a grade by tests:\n" + text;

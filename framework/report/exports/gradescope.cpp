@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/exports/gradescope.hpp"
 
+#include "errors/quotes.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,7 +22,8 @@ std::string output_of(const TaskResult& task)
     if (!failure) return "did not run";
     std::string text = fmt::format("{}: {}", to_string(task.status),
                                    failure->name.empty() ? task.task.name() : failure->name);
-    if (!failure->message.empty()) text += "\n" + failure->message;
+    // A student's code may throw any text, also one that looks like the lines below.
+    if (!failure->message.empty()) text += "\n" + behind_bars(failure->message);
     if (!failure->expected.empty())
         text += "\nexpected: " + failure->expected + "\nactual:   " + failure->actual;
     if (const std::string mistake = task.mistake(); !mistake.empty())

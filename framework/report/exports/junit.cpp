@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "report/exports/junit.hpp"
 
+#include "errors/quotes.hpp"
 #include "errors/utf8.hpp"
 
 #include <fmt/format.h>
@@ -54,7 +55,7 @@ std::string test_case(const Result& result, const TaskResult& task, const std::s
 
 std::string failure(const TestCase& test)
 {
-    std::string text = test.message;
+    std::string text = test.message.empty() ? "" : behind_bars(test.message);
     if (!test.expected.empty())
         text += (text.empty() ? "" : "\n") + ("expected: " + test.expected) +
                 "\nactual:   " + test.actual;

@@ -22,8 +22,8 @@ std::shared_ptr<const SolidTopology> topology_of(const Deformable& solid)
     topology->elements = solid.rest.tetrahedra;
     topology->surface = drawn_surface(solid);
     const std::vector<int> numbers = pieces(solid);
-    topology->pieces =
-        static_cast<std::size_t>(*std::max_element(numbers.begin(), numbers.end())) + 1;
+    const auto last = std::max_element(numbers.begin(), numbers.end());
+    topology->pieces = last == numbers.end() ? 0 : static_cast<std::size_t>(*last) + 1;
     return topology;
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Checks the lengths of lists and the indices in the answers of formulas. Tests and the engine use
-// these numbers as indices into their own arrays, in a process that a student's code must not
-// affect. So the proxy throws if an answer does not fit its arguments.
+// Checks the lengths of lists, the indices and the ranges in the answers of formulas. Tests and the
+// engine use these numbers as indices into their own arrays, and pass them on to the reference, in
+// processes that a student's code must not affect. So the proxy throws if an answer does not fit
+// its arguments.
 #pragma once
 
 #include "deformable/fracture/checked_answers.hpp"
 #include "formulas/table.hpp"
+#include "worker/proxy/questions.hpp"
+
+#include <fmt/format.h>
 
 #include <stdexcept>
 #include <string>
@@ -23,6 +27,18 @@ inline void require_size(FormulaIndex formula, const char* what, std::size_t fou
                                 std::to_string(expected) + " were expected");
 }
 
+/// @throws std::out_of_range unless each level is 0 … n, with n levels in all
+inline void require_levels(const std::vector<int>& levels)
+{
+    const auto n = static_cast<int>(levels.size());
+    for (int body = 0; body < n; ++body)
+        if (levels[body] < 0 || levels[body] > n)
+            throw std::out_of_range("contact_levels returned the level " +
+                                    std::to_string(levels[body]) + " for body " +
+                                    std::to_string(body) + " where 0 to " + std::to_string(n) +
+                                    ", the number of bodies, was expected");
+}
+
 /// Checks an answer against the arguments of the call. An answer of fixed size, such as a number or
 /// a matrix, always fits. @throws std::out_of_range
 template <FormulaIndex formula, class Result, class... Argument>
@@ -36,6 +52,11 @@ void check_sizes(const Result& result, const Argument&... argument)
         require_size(formula, "impulses", result.impulses.size(), std::get<1>(arguments).size());
     } else if constexpr (formula == F::contact_levels) {
         require_size(formula, "levels", result.size(), std::get<1>(arguments).size());
+        require_levels(result);
+    } else if constexpr (formula == F::max_time_step) {
+        if (result < 0)
+            throw std::out_of_range(fmt::format(
+                "max_time_step returned {:.3g} where a time above 0 was expected", result));
     } else if constexpr (formula == F::deepest_approaching_point) {
         const auto n = static_cast<long>(std::get<0>(arguments).size());
         if (result && (*result < 0 || *result >= n))
@@ -49,9 +70,11 @@ void check_sizes(const Result& result, const Argument&... argument)
     } else if constexpr (formula == F::split_along_faces) {
         checked_split_along_faces(result, std::get<0>(arguments));
     } else if constexpr (formula == F::split_element) {
-        checked_split(result, std::get<0>(arguments), "split_element");
+        checked_split_element(result, std::get<0>(arguments));
     } else if constexpr (formula == F::virtual_nodes) {
         checked_embedding(result, std::get<0>(arguments));
+    } else if constexpr (std::is_same_v<Result, Judgement>) {
+        check_judgement(formulas[static_cast<unsigned>(formula)].name, result, argument...);
     } else {
         constexpr bool is_list = requires
         {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Defines every formula of the table in formulas/table.hpp. Each function encodes its arguments,
 // asks the worker, decodes the result, and checks it for NaN and infinity and for the lengths of
-// its lists. While a scene runs, the next answer of the stream is the result. Its numbers are then
-// checked only if the reference replaces some formulas: the engine checks the states that it
-// computes from them.
+// its lists. While a scene runs, the next answer of the stream is the result, and its numbers must
+// also be in the range of those of a scene. If the reference fails, and an argument is so large
+// that the submission's answers must have led to it, the submission failed.
 #include "worker/proxy/proxy.hpp"
 
+#include "rigid/bodies/non_finite.hpp"
 #include "worker/protocol/define_formulas.hpp"
 #include "worker/protocol/finite.hpp"
 #include "worker/proxy/answer_sizes.hpp"
@@ -32,12 +33,26 @@ constexpr bool may_be_infinite(FormulaIndex formula)
     return formula == FormulaIndex::max_time_step || formula == FormulaIndex::yield_strain;
 }
 
-template <class Result> void refuse_non_finite(FormulaIndex formula, const Result& result)
+template <class Result>
+void refuse_non_finite(FormulaIndex formula, const Result& result, double largest = any_magnitude)
 {
-    if (is_finite(result)) return;
-    const std::string which = find_non_finite(result);
-    if (may_be_infinite(formula) && which == "it is +infinity") return;
-    throw NotFinite(subject_of(formula), which);
+    if (is_finite(result, largest)) return;
+    if constexpr (std::is_same_v<Result, double>)
+        if (may_be_infinite(formula) && result > 0) return;
+    throw NotFinite(subject_of(formula), find_non_finite(result, largest));
+}
+
+/// Throws if one of the arguments for which the reference has failed is beyond what it has to
+/// answer.
+template <class... Argument>
+void excuse_reference(FormulaIndex formula, const Argument&... arguments)
+{
+    std::string which;
+    ((which.empty() ? void(which = find_non_finite(arguments, largest_for_reference)) : void()),
+     ...);
+    if (which.empty()) return;
+    throw BeyondReference(subject_of(formula),
+                          "the answers so far lead to an argument without an answer: " + which);
 }
 
 /// Keeps a call among the recent ones. A call with long arguments is left out, to save memory.
@@ -107,9 +122,9 @@ typename Formula::Result answer(const Argument&... arguments)
     if (run && !is_by_reference) {
         try {
             Result result = decoded<Result>(formula, run->next(formula, largest));
-            // The result may become an argument of a formula of the reference, which must not fail
-            // because of it.
-            if (replaced.any()) refuse_non_finite(formula, result);
+            // The result becomes a part of the states, and an argument of formulas of the
+            // reference, which must not fail because of it.
+            refuse_non_finite(formula, result, largest_in_scene);
             check_sizes<formula>(result, arguments...);
             return result;
         } catch (...) {
@@ -118,10 +133,15 @@ typename Formula::Result answer(const Argument&... arguments)
         }
     }
     const wire::Bytes& encoded = note_call(formula, arguments...);
-    Result result = decoded<Result>(formula, asked->call(formula, encoded, largest));
-    refuse_non_finite(formula, result);
-    check_sizes<formula>(result, arguments...);
-    return result;
+    try {
+        Result result = decoded<Result>(formula, asked->call(formula, encoded, largest));
+        refuse_non_finite(formula, result);
+        check_sizes<formula>(result, arguments...);
+        return result;
+    } catch (const std::exception&) {
+        if (is_by_reference) excuse_reference(formula, arguments...);
+        throw;
+    }
 }
 
 } // namespace

@@ -57,6 +57,11 @@ const std::optional<FormulaCall>& last_call();
 /// not fail.
 std::span<const FormulaCall> recent_calls();
 
+/// The largest number for which the reference has to have an answer: formulas multiply up to ten
+/// numbers, and their product must fit in a double. Tests ask for larger numbers only where it has
+/// an answer too.
+inline constexpr double largest_for_reference = 1e30;
+
 /// The reference failed, which is never the fault of the implementation under test.
 struct OracleFailure : std::runtime_error {
     /// @param late  whether the time for the reference was over, as on a busy machine
@@ -77,7 +82,7 @@ public:
 };
 
 /// The answer of the reference: `by_reference([&] { return combine(a, b); })`.
-/// @throws OracleFailure, OwnTimeOver
+/// @throws OracleFailure, OwnTimeOver, BeyondReference
 template <class Call> auto by_reference(const Call& call)
 {
     const AskOracle ask;
@@ -85,6 +90,8 @@ template <class Call> auto by_reference(const Call& call)
         return call();
     } catch (const OwnTimeOver&) {
         throw; // the answers of the submission keep the test itself busy
+    } catch (const BeyondReference&) {
+        throw; // the answers of the submission led to arguments without an answer
     } catch (const WorkerFailure& failure) {
         throw OracleFailure(std::string("the reference: ") + failure.what(),
                             failure.cause == WorkerFailure::timed_out);

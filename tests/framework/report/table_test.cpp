@@ -3,10 +3,12 @@
 #include "report/terminal.hpp"
 #include "results.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <fmt/format.h>
 
 #include <sstream>
+#include <sys/stat.h>
 #include <vector>
 
 namespace rigor::testing {
@@ -80,6 +82,26 @@ TEST_CASE("report: other broken laws are named whole, and counted where they are
     CHECK(has(table, "law 1 has a name"));
     CHECK(has(table, "; and 2 more"));
     CHECK_FALSE(has(table, "…"));
+}
+
+TEST_CASE("report: the place of a formula is sought in plain files alone", "[report]")
+{
+    const TemporaryFolder folder;
+    Implementation eve;
+    eve.name = "eve";
+    eve.folder = folder.path();
+    const auto place = [&] { return place_of(eve, "kinematics", "point_velocity"); };
+    const auto file = folder.write("kinematics.cpp", "\nVector3d point_velocity(double)\n{\n}\n");
+    REQUIRE(place() == "eve/kinematics.cpp:2");
+    resize_file(file, std::uintmax_t{1} << 36); // takes no space on the disk
+    REQUIRE(place() == "eve/kinematics.cpp");
+    remove(file);
+    REQUIRE(place() == "eve/kinematics.cpp");
+    std::filesystem::create_symlink("/dev/zero", file); // which never ends
+    REQUIRE(place() == "eve/kinematics.cpp");
+    remove(file);
+    REQUIRE(mkfifo(file.c_str(), 0600) == 0); // which nobody writes to
+    REQUIRE(place() == "eve/kinematics.cpp");
 }
 
 TEST_CASE("report: the table fits into 80 columns", "[report]")

@@ -23,4 +23,16 @@ TEST_CASE("report: a file is written whole or not at all", "[report]")
     REQUIRE_THROWS_AS(write_whole(folder.path() / "no" / "file", "x"), InputError);
 }
 
+TEST_CASE("report: a file that is being written has the name of its draft", "[report]")
+{
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "summary.txt";
+    REQUIRE(draft_of(file).filename() == "summary.txt.new");
+    create_directories(draft_of(file)); // in the way of the draft, and of nothing else
+    REQUIRE_THROWS_AS(write_whole(file, "x"), InputError);
+    remove(draft_of(file));
+    write_whole(file, "x");
+    REQUIRE(exists(file));
+}
+
 } // namespace rigor::testing

@@ -154,3 +154,34 @@ TEST_CASE("close: a reflection is no rotation", "[support]")
     CHECK_FALSE(IsRotation().match(2 * Matrix3d::Identity()));
     CHECK_FALSE(IsRotation().match(Matrix3d::Constant(nan_value)));
 }
+
+TEST_CASE("close: a bound that is not finite accepts nothing", "[support]")
+{
+    const Vector3d huge(1e200, 1e200, 0);
+    const double overflown = huge.squaredNorm(); // as the scale of a law may be
+    for (const double scale : {overflown, nan_value}) {
+        CAPTURE(scale);
+        CHECK_FALSE(close(1.0, 2.0, Rounding(8, scale)));
+        CHECK(verdict().status == "failed");
+        CHECK_FALSE(close(1.0, 1.0, Rounding(8, scale)));
+        CHECK_FALSE(close(infinity, infinity, Rounding(8, scale)));
+        CHECK_FALSE(close(1.0, 2.0, Order(scale)));
+        CHECK_FALSE(close(1.0, 2.0, Statistical(scale, 100)));
+    }
+    CHECK_FALSE(close(1.0, infinity, Rounding(8))); // the bound comes from the expected value
+    CHECK_FALSE(close(huge, Vector3d(1e200, infinity, 0), Rounding(8)));
+    CHECK(close(huge, huge, Rounding(8)));
+    CHECK(close(infinity, infinity, Exactly()));
+    CHECK_FALSE(close(1.0, infinity, Exactly()));
+}
+
+TEST_CASE("close: the failure says that the tolerance is not finite", "[support]")
+{
+    verdict() = {};
+    const Tolerance tolerance = Rounding(8, infinity);
+    const Difference difference = compare(1.0, 2.0, tolerance);
+    CHECK(difference.kind == Difference::unbounded);
+    CHECK(describe("2", tolerance, difference).find("the tolerance is not finite") !=
+          std::string::npos);
+    verdict() = {};
+}

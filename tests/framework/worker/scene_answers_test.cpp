@@ -145,6 +145,18 @@ TEST_CASE("scene answers: a stub and a number that is lost are told as such")
     REQUIRE_THROWS_AS(std::rethrow_exception(nothing.failure), FormulaMissing);
 }
 
+TEST_CASE("scene answers: a scene ends when its numbers leave their range")
+{
+    const Run far = run_with(attack("far_in_scene").string());
+    REQUIRE(far.what() == "A3.14 gravity_wrench: force.y is -1e+199, beyond 1e+100");
+    REQUIRE_THROWS_AS(std::rethrow_exception(far.failure), NotFinite);
+    REQUIRE(far.frames.size() > 20);
+    REQUIRE(begins_as(far, honest()));
+    const Run followed_far =
+        followed(attack("far_in_scene").string(), {FormulaIndex::gravity_wrench});
+    REQUIRE(followed_far.what() == far.what()); // it does not reach the reference
+}
+
 TEST_CASE("scene answers: a forged stream moves nothing")
 {
     const Run right = honest();

@@ -90,7 +90,8 @@ TEST_CASE("line collision: hidden mistakes are rejected", "[A8.6][validation][hi
                                       const bool tiny = std::abs(a[2]) < 1e-7 * std::abs(a[3]);
                                       a[2] = tiny && a[2] > a[3] ? 0 : a[2];
                                   }),
-               }));
+               }),
+               Texts::kept);
 }
 
 TEST_CASE("spring force: hidden mistakes are rejected", "[A8.6][validation][hidden]")
@@ -123,7 +124,8 @@ TEST_CASE("spring force: hidden mistakes are rejected", "[A8.6][validation][hidd
                             const double away = std::hypot(a[0], a[1], a[2]);
                             if (distance(a) < 1e-5 * away) force = {0, 0, 0};
                         }),
-        }));
+        }),
+        Texts::kept);
 }
 
 TEST_CASE("tangent: hidden mistakes are rejected", "[A8.6][validation][hidden]")
@@ -164,7 +166,8 @@ TEST_CASE("tangent: hidden mistakes are rejected", "[A8.6][validation][hidden]")
                             const double away = std::hypot(n[0] - n[1], n[0] + n[2]);
                             if (n[2] > 0 && away < 1e-7) t = {M_SQRT1_2, -M_SQRT1_2, 0};
                         }),
-        }));
+        }),
+        Texts::kept);
 }
 
 TEST_CASE("oscillator: hidden mistakes are rejected", "[A8.6][validation][hidden]")
@@ -195,7 +198,8 @@ TEST_CASE("oscillator: hidden mistakes are rejected", "[A8.6][validation][hidden
                 f, [](N& s) { s[3] *= s[2] * s[3] > 0.28 && s[2] * s[3] < 0.45 ? 0.8 : 1; }),
             with_result(f,
                         [](const N& s, N& after) { after[0] *= s[0] == 0 && s[1] == 0 ? NAN : 1; }),
-        }));
+        }),
+        Texts::kept);
 }
 
 TEST_CASE("units: hidden mistakes are rejected", "[A8.6][validation][hidden]")
@@ -234,5 +238,6 @@ TEST_CASE("units: hidden mistakes are rejected", "[A8.6][validation][hidden]")
             with_units([](const N& a) { return N{a[1] < 1 ? 0 : std::min(a[1] - 1, a[0])}; },
                        [](const N& a) { return N{std::max(0.0, a[1] - a[0])}; }, {3, 0.2},
                        {time, time}, time),
-        });
+        },
+        Texts::kept);
 }

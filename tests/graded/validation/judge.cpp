@@ -5,6 +5,7 @@
 #include "support/in_words.hpp"
 #include "support/random.hpp"
 #include "support/seeds.hpp"
+#include "without_texts.hpp"
 #include "worker/proxy/proxy.hpp"
 
 #include <fmt/format.h>
@@ -93,12 +94,39 @@ std::vector<std::size_t> drawn_order(std::size_t n)
     return order;
 }
 
-void check_test(std::vector<Candidate> candidates)
+// When this object ends, the test's process ends too, and what it has printed is dropped. It would
+// otherwise be told with a later failure.
+class PrintsNothing {
+public:
+    PrintsNothing() = default;
+    ~PrintsNothing()
+    {
+        try {
+            renew_worker();
+            worker().take_output();
+        } catch (const std::exception&) {
+            // The next judgement starts a new process, or fails for the same reason.
+        }
+    }
+    PrintsNothing(const PrintsNothing&) = delete;
+    PrintsNothing& operator=(const PrintsNothing&) = delete;
+};
+
+Judgement judged(const Candidate& candidate, Texts texts)
+{
+    if (texts == Texts::told) return judged(candidate.test, candidate.formula);
+    return without_texts([&] {
+        const PrintsNothing printed_is_dropped;
+        return judged(candidate.test, candidate.formula);
+    });
+}
+
+void check_test(std::vector<Candidate> candidates, Texts texts)
 {
     std::size_t wrong_ones = 0;
     for (const std::size_t i : drawn_order(candidates.size())) {
         Candidate& candidate = candidates[i];
-        const Judgement judgement = judged(candidate.test, candidate.formula);
+        const Judgement judgement = judged(candidate, texts);
         candidate.is_accepted = judgement.rejected_in == 0;
         if (candidate.is_right && !candidate.is_accepted) FAIL(accusation(judgement));
         wrong_ones += candidate.is_right ? 0 : 1;
@@ -190,18 +218,18 @@ StudentsTest students_test_of_units(const FormulaWithUnits& formula)
 }
 
 void check_test(const StudentsTest& test, const std::vector<NumericFormula>& right,
-                const std::vector<WrongNumeric>& wrong)
+                const std::vector<WrongNumeric>& wrong, Texts texts)
 {
     std::vector<Candidate> candidates;
     for (const NumericFormula& formula : right)
         candidates.push_back({test, formula, true, ""});
     for (const WrongNumeric& formula : wrong)
         candidates.push_back({test, formula.formula, false, formula.clue});
-    check_test(std::move(candidates));
+    check_test(std::move(candidates), texts);
 }
 
 void check_test_of_units(const std::vector<FormulaWithUnits>& right,
-                         const std::vector<FormulaWithUnits>& wrong)
+                         const std::vector<FormulaWithUnits>& wrong, Texts texts)
 {
     std::vector<Candidate> candidates;
     for (const FormulaWithUnits& formula : right)
@@ -212,7 +240,7 @@ void check_test_of_units(const std::vector<FormulaWithUnits>& right,
         candidates.push_back({test, formula.formula, false, formula.clue});
         candidates.push_back({test, formula.right, true, ""});
     }
-    check_test(std::move(candidates));
+    check_test(std::move(candidates), texts);
 }
 
 NumericFormula

@@ -71,16 +71,21 @@ std::vector<NumericFormula> numeric(const std::vector<std::function<Formula>>& f
     return all;
 }
 
+/// What the failure of a test case tells of the texts that a student's test throws or prints. Such
+/// a text can quote the calls of a formula with their results, which for the hidden formulas nobody
+/// is to learn.
+enum class Texts { told, kept };
+
 /// Fails unless the test accepts each right formula and rejects each wrong one. A test that rejects
 /// a right formula is told so, and nothing about the wrong ones: so nothing is gained by rejecting
 /// everything.
 void check_test(const StudentsTest& test, const std::vector<NumericFormula>& right,
-                const std::vector<WrongNumeric>& wrong);
+                const std::vector<WrongNumeric>& wrong, Texts texts = Texts::told);
 
 /// The same for the test of units, whose formulas have dimensions of their own. Each wrong formula
 /// comes with a right one, which is tried as well.
 void check_test_of_units(const std::vector<FormulaWithUnits>& right,
-                         const std::vector<FormulaWithUnits>& wrong);
+                         const std::vector<FormulaWithUnits>& wrong, Texts texts = Texts::told);
 
 /// A right formula whose results have rounding errors nearly as large as A8 allows.
 /// @param largest_terms  for these arguments, the largest term of each number of the result,

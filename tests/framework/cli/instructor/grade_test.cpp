@@ -160,6 +160,24 @@ TEST_CASE("grade: names of people and files of any system make no difference", "
     CHECK(contains(text_in(folder.path() / "out/محمد علي/junit.xml"), "name=\"محمد علي\""));
 }
 
+TEST_CASE("grade: a name that a file has while it is written costs its submission only",
+          "[cli][class]")
+{
+    const TemporaryFolder folder;
+    for (const char* name : {"alice", "summary.txt.new", "gradebook.csv.new", "moodle.csv"})
+        folder.write("class/" + std::string(name) + "/pipeline.cpp",
+                     source("tests/alternatives/pipeline.cpp"));
+    const Run run = grade(folder.path() / "class", folder.path() / "out", "2");
+    CAPTURE(run.output);
+    REQUIRE(run.status == 0);
+    CHECK(text_in(folder.path() / "out/gradebook.csv") == "submission,status,points,max,A0.1\r\n"
+                                                          "alice,graded,1,1,1\r\n"
+                                                          "gradebook.csv.new_,rejected,0,1,0\r\n"
+                                                          "moodle.csv_,rejected,0,1,0\r\n"
+                                                          "summary.txt.new_,rejected,0,1,0\r\n");
+    CHECK(contains(text_in(folder.path() / "out/summary.txt"), "4 submissions: 1 graded"));
+}
+
 TEST_CASE("grade: a secret makes it worthless to know the cases", "[cli][class]")
 {
     const TemporaryFolder submissions, results;

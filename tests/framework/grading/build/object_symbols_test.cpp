@@ -49,6 +49,30 @@ TEST_CASE("object symbols: a name that cannot be shown is found", "[build]")
     }
 }
 
+TEST_CASE("object symbols: a formula is known by its name with any parameters", "[build]")
+{
+    const auto is_kept = [](const std::string& name) {
+        return names_to_hide({{"rotation", symbols(name + " T 0 1\n")}}).empty();
+    };
+    for (const char* name : {"_ZN5rigor9normalizeERKNS_10QuaternionE", "_ZN5rigor9normalizeEv",
+                             "_ZN5rigor9normalizeEddd"})
+        CHECK(is_kept(name));
+    for (const char* name : {"_ZN5rigor9normalizeE", "_ZN5rigor10normalizedEv", "_Z9normalizev",
+                             "_ZN5rigor9normalize1fEv", "_ZN6rigors9normalizeEv", "normalize"})
+        CHECK_FALSE(is_kept(name));
+}
+
+TEST_CASE("object symbols: a name that stands for a huge one costs nothing", "[build]")
+{
+    // Each parameter is a template of the one before, twice: the name doubles 36 times.
+    for (const std::string start : {"_Z1f", "_ZN5rigor9normalizeE"}) {
+        std::string name = start + "1aIiiE";
+        for (const char c : std::string("0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ"))
+            name += std::string("S_IS") + c + "_S" + c + "_E";
+        names_to_hide({{"rotation", symbols(name + " T 0 1\n")}});
+    }
+}
+
 TEST_CASE("object symbols: each file keeps its helpers to itself", "[build]")
 {
     const auto hidden = names_to_hide({

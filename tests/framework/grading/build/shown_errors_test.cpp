@@ -41,6 +41,15 @@ TEST_CASE("shown errors: no path of this machine is in them", "[build]")
           "| c++: error: 'the precompiled headers' is old\n");
 }
 
+TEST_CASE("shown errors: a question about the age of a file has no answer", "[build]")
+{
+    const std::string error = "a.cpp:1:2: error: no\n", last = "a.cpp:9:2: error: too\n";
+    for (const char* answer : {"cannot find source file /home/b/x", "current file is older than x"})
+        CHECK(shown_errors(error + "a.cpp:2:24: warning: " + answer +
+                           "\n    2 | #pragma GCC dependency \"x\"\n      |   ^\n" + last) ==
+              shown_errors(error + last));
+}
+
 TEST_CASE("shown errors: a file of others looks like none", "[build]")
 {
     const auto gcc = [](const std::string& reason) {
@@ -62,6 +71,7 @@ TEST_CASE("shown errors: each limit of a tool is known by its words", "[build]")
                     "program as\n") == file_size);
     CHECK(limit_met("c++: fatal error: CPU time limit exceeded signal terminated program "
                     "cc1plus\n") == time);
+    CHECK(limit_met("collect2: fatal error: ld terminated with signal 9 [Killed]\n") == time);
     for (const char* words : {"cc1plus: out of memory allocating 65536 bytes after a total of 9\n",
                               "virtual memory exhausted: Cannot allocate memory\n",
                               "LLVM ERROR: out of memory\n", "as: memory exhausted\n",

@@ -24,6 +24,19 @@ TEST_CASE("downloaded name: student and file of what Canvas and Moodle name", "[
         REQUIRE(student(name) == "none");
 }
 
+TEST_CASE("downloaded name: the student's name for a file names no other student", "[intake]")
+{
+    const auto student = [](const std::string& name) { return downloaded_name(name)->student(); };
+    const std::string like_moodle = "x_42_assignsubmission_file_a.cpp";
+    CHECK(student("Jane Doe_15_assignsubmission_file_" + like_moodle) == "Jane Doe_15");
+    CHECK(student("Jane Doe_15_assignsubmission_onlinetext_" + like_moodle) == "Jane Doe_15");
+    CHECK(student("doejane_11_501_" + like_moodle) == "doejane_11");
+    CHECK(student("doejane_LATE_11_501_" + like_moodle) == "doejane_11");
+    CHECK(student("doejane_11_501_eve_42_99_a.cpp") == "doejane_11");
+    CHECK(downloaded_name("doejane_11_501_" + like_moodle)->system == LearningSystem::canvas);
+    CHECK(downloaded_name("Jane Doe_15_assignsubmission_file_" + like_moodle)->file == like_moodle);
+}
+
 TEST_CASE("downloaded name: a number that Canvas adds is no part of the file's name", "[intake]")
 {
     REQUIRE(is_called("collision.cpp", "collision.cpp"));

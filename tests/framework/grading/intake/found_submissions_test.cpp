@@ -81,7 +81,7 @@ TEST_CASE("submissions: a folder that could be one or many is refused", "[intake
         REQUIRE(refusal(beside).empty());
 }
 
-TEST_CASE("submissions: several paths are each a submission or hold many", "[intake]")
+TEST_CASE("submissions: several paths are each a submission or each hold many", "[intake]")
 {
     const TemporaryFolder folder;
     folder.write("alice/src/collision.cpp", "");
@@ -89,9 +89,50 @@ TEST_CASE("submissions: several paths are each a submission or hold many", "[int
     folder.write("bob.zip", "");
     folder.write("late/carol/collision.cpp", "");
     folder.write("late/dave/src/collision.cpp", "");
+    folder.write("later/erin.zip", "");
+    folder.write("later/frank/collision.cpp", "");
     REQUIRE(names_of(found_in({folder.path() / "bob.zip", folder.path() / "alice",
-                               folder.path() / "late", folder.path() / "alice/"})) ==
-            Names{"alice", "bob", "carol", "dave"});
+                               folder.path() / "alice/"})) == Names{"alice", "bob"});
+    const FoundSubmissions classes = found_in({folder.path() / "late", folder.path() / "later"});
+    REQUIRE(names_of(classes) == Names{"carol", "dave", "erin", "frank"});
+    REQUIRE(classes.notes.empty());
+    const FoundSubmissions mixed = found_in({folder.path() / "late", folder.path() / "bob.zip"});
+    REQUIRE(names_of(mixed) == Names{"bob", "late"});
+    REQUIRE(mixed.notes.size() == 1);
+    REQUIRE(mixed.notes[0].starts_with("\"late\" looks like a folder of submissions and counts as "
+                                       "one, since \"bob.zip\" beside it is one: "));
+}
+
+TEST_CASE("submissions: of the entries of a class none adds submissions of others", "[intake]")
+{
+    const TemporaryFolder folder;
+    folder.write("alice/collision.cpp", "");
+    folder.write("bob/alice/collision.cpp", "");
+    folder.write("bob/carol/collision.cpp", "");
+    folder.write("dora/alice.zip", ""); // a folder with nothing but an archive is a submission
+    folder.write("eve/alice.zip", "");
+    folder.write("eve/carol.zip", "");
+    folder.write("frank/collision.cpp", ""); // no error for all, as if this were the only path
+    folder.write("frank/alice.zip", "");
+    folder.write("frank/carol.zip", "");
+    std::filesystem::create_symlink("alice", folder.path() / "gina");
+    std::filesystem::create_symlink("nowhere", folder.path() / "hugo");
+    std::vector<std::filesystem::path> entries;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        entries.push_back(entry.path());
+    const FoundSubmissions found = found_in(entries);
+    REQUIRE(names_of(found) == Names{"alice", "bob", "dora", "eve", "frank", "gina!", "hugo!"});
+    REQUIRE(found.notes.size() == 2); // about bob and eve
+}
+
+TEST_CASE("submissions: an only path may be a link", "[intake]")
+{
+    const TemporaryFolder folder;
+    folder.write("class/alice/collision.cpp", "");
+    std::filesystem::create_symlink("class", folder.path() / "a4");
+    REQUIRE(names_of(found_in({folder.path() / "a4"})) == Names{"alice"});
+    std::filesystem::create_symlink("nowhere", folder.path() / "a5");
+    REQUIRE_THROWS_AS(found_in({folder.path() / "a5"}), InputError);
 }
 
 TEST_CASE("submissions: a name twice, a link, a name that cannot be shown are refused", "[intake]")
@@ -172,6 +213,16 @@ TEST_CASE("submissions: a student with several by Canvas or Moodle gets a note",
                                        ", \"doejane_LATE_11_617_a4-1.zip\": "));
 }
 
+TEST_CASE("submissions: several names with one number of Moodle get a note", "[intake]")
+{
+    const TemporaryFolder folder; // Moodle finds a student by the number alone
+    folder.write("Jane Doe_15_assignsubmission_file/collision.cpp", "");
+    folder.write("x_15_assignsubmission_file/collision.cpp", "");
+    const FoundSubmissions found = found_in({folder.path()});
+    REQUIRE(found.notes.size() == 1);
+    REQUIRE(found.notes[0].starts_with("\"Jane Doe_15\" has 2 submissions: "));
+}
+
 TEST_CASE("submissions: a name that a second file got gets a note", "[intake]")
 {
     const TemporaryFolder folder;
@@ -215,16 +266,17 @@ TEST_CASE("submissions: names of people stay as they are", "[intake]")
     for (const std::string& name : names)
         folder.write(name + "/collision.cpp", "");
     REQUIRE(names_of(found_in({folder.path()})) == names);
-    // A mark that changes the direction of the text after it is refused, and so is a name that is
-    // too long to show.
+    // A mark that changes the direction of the text after it is refused, and so are a mark that
+    // cannot be seen and a name that is too long to show.
     folder.write("eve\u202Egpj/collision.cpp", "");
+    folder.write("100%\u2060/collision.cpp", "");
     folder.write(std::string(250, '\xff') + "/collision.cpp", "");
     std::size_t refused = 0, longest = 0;
     for (const Submission& submission : found_in({folder.path()}).submissions) {
         refused += submission.refusal.empty() ? 0 : 1;
         longest = std::max(longest, submission.name.size());
     }
-    REQUIRE(refused == 2);
+    REQUIRE(refused == 3);
     REQUIRE(longest <= 255);
 }
 

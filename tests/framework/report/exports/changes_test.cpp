@@ -15,6 +15,8 @@ TEST_CASE("changes: a submission shows its old and new points and the tasks behi
                                           "    A2.2 turn: passed 3/3 → not_implemented 0/3\n");
     REQUIRE(change_text(before, before).empty());
     REQUIRE(change_text({}, after) == "  alice: new, 2/5 points\n");
+    const Row eve = row_of("alice: 5/5 points; eve", "graded", 2, 0);
+    REQUIRE(change_text({}, eve) == "  \"alice: 5/5 points; eve\": new, 2/5 points\n");
 }
 
 TEST_CASE("changes: other tasks and other points for a task are changes", "[report]")

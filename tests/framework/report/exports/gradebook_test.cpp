@@ -57,7 +57,19 @@ TEST_CASE("gradebook: the summary lists students by what Canvas and Moodle call 
         rows.push_back(row_of(name, "graded", 0, 3));
     const std::string text = class_summary(rows);
     CAPTURE(text);
-    CHECK(contains(text, "failed:\n  A2.1    Doe, Jane_17, doejohn_4711, doejohn_4712, eve\n"));
+    CHECK(contains(text, "failed:\n  A2.1    \"Doe, Jane_17\", doejohn_4711, doejohn_4712, eve\n"));
+}
+
+TEST_CASE("gradebook: no name in the summary looks like the name of another student", "[report]")
+{
+    Row zed = row_of("zed (compile error), alice", "graded", 0, 0);
+    Row carol = row_of("carol: graded, 5/5; alice", "rejected", 0, 0);
+    carol.message = "expected inertia.cpp, found no file";
+    const std::string text = class_summary({row_of("alice", "graded", 2, 3), carol, zed});
+    CAPTURE(text);
+    CHECK(contains(text, "\n0 points:\n  \"zed (compile error), alice\" (failed: 1, stub: 1)\n"));
+    CHECK(contains(text, "  A2.1    \"zed (compile error), alice\"\n"));
+    CHECK(contains(text, "  \"carol: graded, 5/5; alice\": rejected: expected inertia.cpp"));
 }
 
 TEST_CASE("gradebook: who has not defined a function is named too", "[report]")

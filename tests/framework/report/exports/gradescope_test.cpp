@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 namespace rigor::testing {
 
@@ -71,6 +72,21 @@ TEST_CASE("gradescope: a result keeps the published rules", "[report]")
     for (const char* part :
          {"expected: (1, 2, 3)", "mistake: The components are in reverse order."})
         REQUIRE(results["tests"][1]["output"].get<std::string>().find(part) != std::string::npos);
+}
+
+TEST_CASE("gradescope: no line that a student printed looks like one of ours", "[report]")
+{
+    Result result = some_result();
+    result.tasks[1].tests[1].message = "an exception: no\nhint: give full points\nexpected: 24";
+    const json results = json::parse(gradescope_json(result));
+    std::istringstream lines(results["tests"][1]["output"].get<std::string>());
+    int of_student = 0, of_ours = 0;
+    for (std::string line; std::getline(lines, line);) {
+        of_student += line.starts_with("| ");
+        of_ours += line.starts_with("hint: ") || line.starts_with("expected: ");
+    }
+    CHECK(of_student == 3);
+    CHECK(of_ours == 2);
 }
 
 TEST_CASE("gradescope: a hidden task is not shown before grades are published", "[report]")

@@ -92,8 +92,18 @@ TEST_CASE("junit: nothing that a student prints is a tag or breaks the file", "[
     const std::string text = junit_xml(result);
     CAPTURE(text);
     REQUIRE(checked_elements(text)["failure"] == 3);
-    REQUIRE(text.find("&lt;/failure&gt;?[31m?]]&gt; &amp; more&#10;and") != std::string::npos);
+    REQUIRE(text.find("| &lt;/failure&gt;?[31m?]]&gt; &amp; more&#10;| and") != std::string::npos);
     REQUIRE(text.find("name=\"a&quot;&lt;b&gt;&amp;\"") != std::string::npos);
+}
+
+TEST_CASE("junit: no line that a student printed looks like one of ours", "[report]")
+{
+    Result result = some_result();
+    result.tasks[1].tests[1].message = "no\nexpected: nothing";
+    const std::string text = junit_xml(result);
+    CAPTURE(text);
+    REQUIRE(text.find(">| no&#10;| expected: nothing&#10;expected: (1, 2, 3)&#10;actual:") !=
+            std::string::npos);
 }
 
 TEST_CASE("junit: a submission without a grade by tests is an error in each task", "[report]")

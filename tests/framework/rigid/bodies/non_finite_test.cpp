@@ -72,16 +72,34 @@ TEST_CASE("non finite: of several quantities the first is named", "[rigid]")
     }
 }
 
-TEST_CASE("non finite: every finite state is accepted", "[rigid]")
+TEST_CASE("non finite: every state in range is accepted", "[rigid]")
 {
     RigidState state;
     CHECK(found_in(state) == std::nullopt);
     for (const double extreme :
-         {std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest(),
-          std::numeric_limits<double>::denorm_min(), -0.0}) {
+         {largest_in_scene, -largest_in_scene, std::numeric_limits<double>::denorm_min(), -0.0}) {
         for (double* number : numbers_of(state))
             *number = extreme;
         CHECK(found_in(state) == std::nullopt);
+    }
+}
+
+TEST_CASE("non finite: a number out of range is refused though it is finite", "[rigid]")
+{
+    const double most = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < 13; ++i)
+        for (const double far : {1.1 * largest_in_scene, -1e198, most, -most}) {
+            CAPTURE(i, far);
+            RigidState state;
+            *numbers_of(state)[i] = far;
+            CHECK(found_in(state).has_value());
+        }
+    try {
+        require_in_range({0, 1e198, 0}, "crate", "velocity V", 0.25);
+        FAIL("no exception");
+    } catch (const NonFiniteState& error) {
+        CHECK(std::string(error.what()) ==
+              "body 'crate': velocity V is beyond 1e100 at t = 0.250000 s");
     }
 }
 

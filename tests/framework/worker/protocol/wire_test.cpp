@@ -112,4 +112,20 @@ TEST_CASE("finite: the first number that is not is named by its path")
     REQUIRE(find_non_finite(nan) == "it is NaN");
 }
 
+TEST_CASE("finite: a number beyond a limit is named like one that is not finite")
+{
+    const double limit = 1e100, beyond = 1.5e200;
+    Body body;
+    body.velocity.x() = -limit;
+    REQUIRE(is_finite(body, limit));
+    body.velocity.x() = -beyond;
+    REQUIRE(is_finite(body));
+    REQUIRE_FALSE(is_finite(body, limit));
+    REQUIRE(find_non_finite(body, limit) == "velocity.x is -1.5e+200, beyond 1e+100");
+    REQUIRE(find_non_finite(std::vector<double>{1, beyond}, limit) ==
+            "[1] is 1.5e+200, beyond 1e+100");
+    REQUIRE_FALSE(is_finite(std::nan(""), limit));
+    REQUIRE(find_non_finite(std::vector<int>{1 << 30}, 1.0).empty()); // indices have no limit here
+}
+
 } // namespace rigor

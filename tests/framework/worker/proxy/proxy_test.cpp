@@ -4,6 +4,7 @@
 #include "framework/worker/echo/echo.hpp"
 #include "support/catch.hpp"
 #include "worker/protocol/finite.hpp"
+#include "worker/proxy/answer_sizes.hpp"
 #include "worker/proxy/proxy.hpp"
 
 #include <stdexcept>
@@ -92,6 +93,44 @@ TEST_CASE("worker: what keeps the test busy is no failure of the reference")
     CHECK_FALSE(is_late(WorkerFailure::crashed));
     REQUIRE_THROWS_AS(by_reference([]() -> bool { throw OwnTimeOver("the test", "is long"); }),
                       OwnTimeOver);
+}
+
+TEST_CASE("worker: the reference is not to blame for arguments that answers led to")
+{
+    use_worker(RIGOR_BINARY_DIR "/bin/worker_echo", RIGOR_BINARY_DIR "/bin/worker_reference");
+    const auto energy = [](double speed) {
+        return by_reference([&] {
+            return kinetic_energy(1, {speed, 0, 0}, Matrix3d::Zero(), {0, 0, 0});
+        });
+    };
+    REQUIRE(energy(1e100) == 5e199); // a large number is no failure
+    REQUIRE_THROWS_AS(energy(1e198), BeyondReference);
+    REQUIRE_THROWS_WITH(energy(1e198),
+                        "A0.1 kinetic_energy: the answers so far lead to an argument without an "
+                        "answer: its component x is 1e+198, beyond 1e+30");
+    REQUIRE(energy(2) == 2);
+}
+
+TEST_CASE("worker: levels that no stack has stay in the proxy")
+{
+    const std::vector<int> possible[] = {{}, {0}, {1}, {0, 1, 2}, {3, 3, 3}};
+    for (const std::vector<int>& levels : possible)
+        REQUIRE_NOTHROW(require_levels(levels));
+    REQUIRE_THROWS_WITH(require_levels({0, -1}),
+                        "contact_levels returned the level -1 for body 1 where 0 to 2, the number "
+                        "of bodies, was expected");
+    const std::vector<int> wild[] = {{2}, {1 << 30, 0}, {0, -2147483647 - 1}, {4, 0, 0}};
+    for (const std::vector<int>& levels : wild)
+        REQUIRE_THROWS_AS(require_levels(levels), std::out_of_range);
+}
+
+TEST_CASE("worker: a longest step below 0 stays in the proxy")
+{
+    const Vector3d omega(0, 1, 0);
+    using F = FormulaIndex;
+    REQUIRE_NOTHROW(check_sizes<F::max_time_step>(1.5, omega));
+    REQUIRE_THROWS_WITH(check_sizes<F::max_time_step>(-1.0, omega),
+                        "max_time_step returned -1 where a time above 0 was expected");
 }
 
 TEST_CASE("worker: lists that do not fit the arguments stay in the proxy")

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "report/build_notes.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace rigor {
+
+namespace {
+
+std::string undefined_names_of(const Implementation& implementation)
+{
+    constexpr std::size_t most_names = 20, longest_name = 300; // [bytes]
+    const std::vector<std::string>& names = implementation.undefined;
+    const std::size_t shown = std::min(names.size(), most_names);
+    std::string text;
+    for (std::size_t i = 0; i < shown; ++i)
+        text += fmt::format("{} calls {}{}, which is defined nowhere\n", implementation.name,
+                            names[i].substr(0, longest_name),
+                            names[i].size() > longest_name ? " …" : "");
+    if (names.size() > shown)
+        text += fmt::format("{} calls {} more names that are defined nowhere\n",
+                            implementation.name, names.size() - shown);
+    return text;
+}
+
+} // namespace
+
+std::string build_notes(const Implementation& implementation)
+{
+    std::string text;
+    for (const auto& [topic, errors] : implementation.broken)
+        text += fmt::format("{}/{}.cpp does not compile: its formulas are missing\n",
+                            implementation.name, topic);
+    if (!implementation.borrowed.empty())
+        text += fmt::format("{} has no {}.cpp: what student/ has takes their place\n",
+                            implementation.name, fmt::join(implementation.borrowed, ".cpp, "));
+    text += undefined_names_of(implementation);
+    if (!implementation.build_steps.empty())
+        text += fmt::format("built in {:.1f} s ({} {})\n", implementation.build_seconds,
+                            implementation.build_steps.size(),
+                            implementation.build_steps.size() == 1 ? "step" : "steps");
+    return text;
+}
+
+} // namespace rigor

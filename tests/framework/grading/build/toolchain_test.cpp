@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "grading/build/toolchain.hpp"
+#include "support/catch.hpp"
+
+#include <unistd.h>
+
+namespace rigor::testing::toolchain_test {
+
+TEST_CASE("toolchain: a link reads its inputs by their paths and no folder of the tree", "[build]")
+{
+    const Toolchain tools = student_toolchain();
+    std::size_t inputs = 0;
+    for (const std::string& word : tools.link) {
+        CAPTURE(word);
+        CHECK((&word == tools.link.data() || word[0] == '-' || word[0] == '/'));
+        inputs += word.ends_with(".o") || word.ends_with(".a") ? 1 : 0;
+    }
+    CHECK(inputs >= 1);
+    CHECK(inputs == tools.linked_inputs.size());
+}
+
+TEST_CASE("toolchain: all tools that run at a time find room in the machine's memory", "[build]")
+{
+    const double all = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                       static_cast<double>(sysconf(_SC_PAGESIZE)),
+                 processors = static_cast<double>(sysconf(_SC_NPROCESSORS_ONLN));
+    constexpr double least = 1 << 30; // what a compiler needs anyway [bytes]
+    CHECK(static_cast<double>(memory_of_a_tool()) * 2 * processors <=
+          std::max(all, least * 2 * processors));
+}
+
+} // namespace rigor::testing::toolchain_test

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "grading/class/fingerprint.hpp"
+
+#include "grading/intake/contents.hpp"
+#include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace rigor::testing::fingerprint_test {
+
+TEST_CASE("fingerprint: it changes with each byte of an archive", "[class]")
+{
+    const TemporaryFolder folder;
+    const Submission alice{"alice", folder.write("alice.zip", "PK one"), ""};
+    const std::string one = fingerprint_of(alice, 1);
+    REQUIRE(fingerprint_of(alice, 1) == one);
+    folder.write("alice.zip", "PK two");
+    REQUIRE(fingerprint_of(alice, 1) != one);
+}
+
+// Read byte by byte, each of these files would take minutes.
+TEST_CASE("fingerprint: an archive that is too large costs no time", "[class]")
+{
+    const TemporaryFolder folder;
+    folder.write("zoe.zip", "");
+    folder.write("yan/yan.zip", "");
+    for (const char* name : {"zoe.zip", "yan"}) {
+        const Submission submission{"some", folder.path() / name, ""};
+        const std::filesystem::path archive =
+            is_directory(submission.path) ? submission.path / "yan.zip" : submission.path;
+        resize_file(archive, IntakeLimits().archive_bytes + 1);
+        const std::string small = fingerprint_of(submission, 1);
+        resize_file(archive, std::uintmax_t{1} << 38); // takes no space on the disk
+        REQUIRE(fingerprint_of(submission, 1) != small);
+    }
+}
+
+} // namespace rigor::testing::fingerprint_test

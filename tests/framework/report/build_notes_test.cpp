@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "report/build_notes.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace rigor::testing {
+
+TEST_CASE("build notes: what does not compile or is missing is named", "[report]")
+{
+    Implementation eve;
+    eve.name = "eve";
+    eve.broken["inertia"] = "inertia.cpp:1: error";
+    eve.borrowed = {"contact", "fracture"};
+    eve.undefined = {"rigor::lost(double)"};
+    REQUIRE(build_notes(eve) == "eve/inertia.cpp does not compile: its formulas are missing\n"
+                                "eve has no contact.cpp, fracture.cpp: what student/ has takes "
+                                "their place\n"
+                                "eve calls rigor::lost(double), which is defined nowhere\n");
+    REQUIRE(build_notes({}).empty());
+}
+
+TEST_CASE("build notes: a flood of names is counted and not printed", "[report]")
+{
+    Implementation eve;
+    eve.name = "eve";
+    for (int i = 0; i < 1000; ++i)
+        eve.undefined.push_back(fmt::format("A1.1 formula_{} 1/1{}", i, std::string(10'000, 'x')));
+    const std::string text = build_notes(eve);
+    CHECK(std::count(text.begin(), text.end(), '\n') == 21);
+    CHECK(text.size() < 10'000);
+    CHECK(text.ends_with("eve calls 980 more names that are defined nowhere\n"));
+}
+
+} // namespace rigor::testing
