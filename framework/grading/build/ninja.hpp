@@ -21,8 +21,8 @@ struct NinjaRun {
 };
 
 /// The largest processor time for the compilation of one file of a student [s]. Without a limit, a
-/// file could keep the compiler busy forever.
-inline constexpr double compile_limit = 120;
+/// file could keep the compiler busy forever. A file of the reference takes one to three seconds.
+inline constexpr double compile_limit = 60;
 
 /// Runs ninja in the build folder.
 /// @param arguments  targets and options

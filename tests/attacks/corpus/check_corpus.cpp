@@ -5,6 +5,7 @@
 //
 //     check_corpus [NAME...]              all of them, or these: kernel/socket@rotation
 //     check_corpus --sample COUNT SEED    this number of them, which the seed draws
+//     check_corpus --part K N             part K of N, from 0
 //     check_corpus --topics SEED          one of each kind in another topic, which the seed draws
 //
 // RIGOR_TIER and RIGOR_COMPILER choose the tier of the sandbox and the compiler of submissions.
@@ -237,23 +238,44 @@ std::string fault_of(const Corpus& corpus, const HostileSubmission& hostile)
     return left.empty() ? "" : "it left " + left;
 }
 
-// Grades every second submission. @return a line for each fault
-std::string faults_of_lane(const Corpus& corpus, std::size_t lane)
+// Grades every second submission. @return a line for each fault, and how long each submission took
+// [s], as JSON
+std::string report_of_lane(const Corpus& corpus, std::size_t lane)
 {
     adopt_orphans();
-    std::string text;
+    std::string faults;
+    Json seconds = Json::object();
     const Controls controls(corpus);
-    if (const std::string fault = controls.fault(); !fault.empty()) return fault + "\n";
+    if (const std::string fault = controls.fault(); !fault.empty())
+        return Json{{"faults", fault + "\n"}, {"seconds", seconds}}.dump();
     for (std::size_t i = lane; i < corpus.all.size(); i += lanes) {
         const HostileSubmission& hostile = corpus.all[i];
         const auto start = Clock::now();
         std::string fault = fault_of(corpus, hostile);
         if (fault.empty()) fault = controls.fault();
-        const std::chrono::duration<double> seconds = Clock::now() - start;
+        seconds[hostile.name] = std::chrono::duration<double>(Clock::now() - start).count();
         if (!fault.empty())
-            text += fmt::format("{} ({:.1f} s): {}\n", hostile.name, seconds.count(), fault);
+            faults += fmt::format("{} ({:.1f} s): {}\n", hostile.name,
+                                  seconds[hostile.name].get<double>(), fault);
     }
-    if (const std::string fault = Controls(corpus).fault(); !fault.empty()) text += fault + "\n";
+    if (const std::string fault = Controls(corpus).fault(); !fault.empty()) faults += fault + "\n";
+    return Json{{"faults", faults}, {"seconds", seconds}}.dump(-1, ' ', false,
+                                                               Json::error_handler_t::replace);
+}
+
+// The submissions that took longest, in one line.
+std::string slowest_of(const std::map<std::string, double>& seconds)
+{
+    std::vector<std::pair<double, std::string>> order;
+    for (const auto& [name, time] : seconds)
+        order.emplace_back(-time, name);
+    std::sort(order.begin(), order.end());
+    constexpr std::size_t shown = 12;
+    order.resize(std::min(order.size(), shown));
+    std::string text = "longest:";
+    for (const auto& [time, name] : order)
+        text += fmt::format(" {} {:.0f} s,", name, -time);
+    text.back() = '\n';
     return text;
 }
 
@@ -282,6 +304,17 @@ std::vector<HostileSubmission> sample(std::vector<HostileSubmission> all, std::s
     return all;
 }
 
+// Every nth submission, so that each part has some of each kind.
+std::vector<HostileSubmission> part(const std::vector<HostileSubmission>& all, unsigned k,
+                                    unsigned n)
+{
+    if (k >= n) throw std::invalid_argument("expected a part below their number");
+    std::vector<HostileSubmission> some;
+    for (std::size_t i = k; i < all.size(); i += n)
+        some.push_back(all[i]);
+    return some;
+}
+
 std::vector<HostileSubmission> chosen(Choice all, const std::vector<std::string>& arguments)
 {
     const auto number = [&](std::size_t i) {
@@ -291,10 +324,10 @@ std::vector<HostileSubmission> chosen(Choice all, const std::vector<std::string>
         return sample(std::move(all.corpus), number(1), number(2));
     if (!arguments.empty() && arguments[0] == "--topics")
         return drawn_of_each_kind(all.elsewhere, number(1));
-    if (arguments.empty()) {
+    if (arguments.empty() || arguments[0] == "--part") {
         for (const HostileSubmission& drawn : drawn_of_each_kind(all.elsewhere, 1))
             all.corpus.push_back(drawn);
-        return all.corpus;
+        return arguments.empty() ? all.corpus : part(all.corpus, number(1), number(2));
     }
     std::vector<HostileSubmission> named;
     for (const auto* some : {&all.corpus, &all.elsewhere})
@@ -320,12 +353,21 @@ int check(const std::vector<std::string>& arguments)
     prepare_submission_builds({});
     const auto start = Clock::now();
     std::string faults;
+    std::map<std::string, double> seconds;
     run_isolated(
-        lanes, {lanes}, [&](std::size_t lane) { return faults_of_lane(corpus, lane); },
-        [&](const WorkDone& done) { faults += done.text ? *done.text : done.fault + "\n"; });
-    const std::chrono::duration<double> seconds = Clock::now() - start;
-    fmt::print("{}{} hostile submissions graded in {:.0f} s, {}\n", faults, corpus.all.size(),
-               seconds.count(), faults.empty() ? "as expected" : "not as expected");
+        lanes, {lanes}, [&](std::size_t lane) { return report_of_lane(corpus, lane); },
+        [&](const WorkDone& done) {
+            if (!done.text) {
+                faults += done.fault + "\n";
+                return;
+            }
+            const Json report = Json::parse(*done.text);
+            faults += report.at("faults").get<std::string>();
+            seconds.merge(report.at("seconds").get<std::map<std::string, double>>());
+        });
+    const std::chrono::duration<double> all = Clock::now() - start;
+    fmt::print("{}{}{} hostile submissions graded in {:.0f} s, {}\n", faults, slowest_of(seconds),
+               corpus.all.size(), all.count(), faults.empty() ? "as expected" : "not as expected");
     return faults.empty() ? 0 : 1;
 }
 
