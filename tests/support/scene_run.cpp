@@ -234,11 +234,22 @@ void check_every_step(const std::string& scene_name, const std::string& changes)
     std::vector<Worker::Start> starts;
     for (std::size_t n = 0; n + 1 < run.frames.size(); ++n)
         starts.emplace_back(run.frames[n].time, run.frames[n].bodies);
-    const auto expected = oracle()->advance(run.scene.text, run.scene.name, starts, 1);
-    REQUIRE(expected.size() == starts.size());
 
+    // The reference goes on from the first states, then from as many again, and so forth. A wrong
+    // solution fails early, and the states that it goes on to may take the reference long: bodies
+    // that are deep in each other.
+    constexpr std::size_t fewest = 4;
+    std::vector<std::vector<RigidState>> expected;
     std::size_t left_out = 0;
     for (std::size_t n = 0; n < starts.size(); ++n) {
+        if (n == expected.size()) {
+            const auto first = starts.begin() + static_cast<long>(n);
+            const std::size_t count = std::min(std::max(fewest, n), starts.size() - n);
+            const auto more = oracle()->advance(run.scene.text, run.scene.name,
+                                                {first, first + static_cast<long>(count)}, 1);
+            REQUIRE(more.size() == count);
+            expected.insert(expected.end(), more.begin(), more.end());
+        }
         if (check_step(run, n, starts[n], expected[n])) continue;
         ++left_out;
         check_that(2 * left_out < starts.size(),

@@ -12,8 +12,8 @@
 
 namespace rigor::testing {
 
-/// n seeds in a row; under sanitizers a quarter of them. The seed of the running case is in the
-/// verdict, and in the message of every failure, where `CAPTURE(seed)` would put it.
+/// n seeds in a row. The seed of the running case is in the verdict, and in the message of every
+/// failure, where `CAPTURE(seed)` would put it.
 class Seeds {
 public:
     Seeds(unsigned first, unsigned n) : first_(first), n_(n) {}
