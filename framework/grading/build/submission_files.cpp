@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Copies the topics' files of a submission and then its other sources, and removes what an earlier
-// run has left. Each file is opened without following a link and without waiting for a writer, and
-// its kind and size are read from the open file, so that nobody can exchange the file between the
-// check and the reading.
+// run has left. Each file is read as plain_file.hpp says.
 #include "grading/build/submission_files.hpp"
 
 #include "errors/utf8.hpp"
+#include "grading/intake/plain_file.hpp"
+#include "grading/intake/refused.hpp"
 #include "grading/topics.hpp"
-#include "sandbox/descriptor.hpp"
 #include "seeds/drawn_seed.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace rigor {
 
@@ -40,40 +34,20 @@ struct Content {
     std::string refusal;
 };
 
-std::string kind_of(mode_t mode)
-{
-    return S_ISDIR(mode)    ? "a folder"
-           : S_ISFIFO(mode) ? "a pipe"
-           : S_ISSOCK(mode) ? "a socket"
-           : S_ISLNK(mode)  ? "a link"
-                            : "a device";
-}
-
 Content read_file(const fs::path& file)
 {
-    struct stat status = {};
-    if (lstat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
-        return {{}, "expected a file, found " + kind_of(status.st_mode)};
-    const int opened =
-        open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (opened < 0) return {{}, std::string("cannot be read: ") + std::strerror(errno)};
-    const Descriptor descriptor(opened, "open");
-    if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
-        return {{}, "expected a file, found " + kind_of(status.st_mode)};
-    std::string text(longest_file + 1, '\0');
-    std::size_t size = 0;
-    for (ssize_t n = 1; n > 0 && size < text.size(); size += static_cast<std::size_t>(n)) {
-        n = read(descriptor, text.data() + size, text.size() - size);
-        if (n < 0) return {{}, std::string("cannot be read: ") + std::strerror(errno)};
+    try {
+        const PlainFile read = read_plain_file(file, longest_file);
+        if (read.size > longest_file)
+            return {{},
+                    fmt::format("expected at most {} kB, found {} kB", longest_file / 1024,
+                                read.size / 1024)};
+        if (read.text.starts_with("\xFF\xFE") || read.text.starts_with("\xFE\xFF"))
+            return {{}, "expected a text in UTF-8, found UTF-16: save it as UTF-8"};
+        return {read.text, ""};
+    } catch (const Refused& refused) {
+        return {{}, refused.what()};
     }
-    if (size > longest_file)
-        return {{},
-                fmt::format("expected at most {} kB, found {} kB", longest_file / 1024,
-                            std::max<std::size_t>(status.st_size, size) / 1024)};
-    text.resize(size);
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) // byte order marks
-        return {{}, "expected a text in UTF-8, found UTF-16: save it as UTF-8"};
-    return {text, ""};
 }
 
 // Whether a file has the ending of a header or a source, so that the file of a topic may include

@@ -18,7 +18,7 @@ namespace rigor {
 struct Toolchain {
     std::vector<std::string> compile;       // the compiler's command, without input and output file
     std::vector<std::string> link;          // the linker's command, without objects of the topics
-    std::vector<std::string> linked_inputs; // files in `link`, relative to the build folder
+    std::vector<std::string> linked_inputs; // those in `link`, relative to the build folder
     std::filesystem::path precompiled;      // the folder of the precompiled headers
     /// Linker names that the framework's part of a worker defines, or takes from libraries.
     std::set<std::string> reserved = {};

@@ -87,7 +87,12 @@ private:
 
     std::string text_of(const fs::path& name) const
     {
-        PlainFile file = read_plain_file(folder_ / name, limits_.source_bytes);
+        PlainFile file;
+        try {
+            file = read_plain_file(folder_ / name, limits_.source_bytes);
+        } catch (const Refused& refused) {
+            throw Refused(in_quotes(name.string()) + ": " + refused.what());
+        }
         if (file.size > limits_.source_bytes) refuse_too_many_sources(limits_);
         return std::move(file.text);
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "grading/intake/plain_file.hpp"
 
-#include "errors/quotes.hpp"
 #include "grading/intake/refused.hpp"
 
 #include <cerrno>
@@ -17,17 +16,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void refuse_unreadable(const fs::path& file, int error)
+[[noreturn]] void refuse_unreadable(int error)
 {
-    throw Refused(in_quotes(file.filename().string()) + " cannot be read: " + std::strerror(error));
+    throw Refused(std::string("cannot be read: ") + std::strerror(error));
 }
 
-void require_plain(const fs::path& file, mode_t mode)
+void require_plain(mode_t mode)
 {
     if (S_ISREG(mode)) return;
-    throw Refused(fmt::format("expected a file, found {}, {}",
-                              S_ISDIR(mode) ? "a folder" : special_kind(mode),
-                              in_quotes(file.filename().string())));
+    throw Refused(
+        fmt::format("expected a file, found {}", S_ISDIR(mode) ? "a folder" : special_kind(mode)));
 }
 
 } // namespace
@@ -45,14 +43,14 @@ Descriptor opened_plain_file(const fs::path& file)
 {
     struct stat status = {};
     // Asked before the opening too, since opening a device may already do something.
-    if (lstat(file.c_str(), &status) != 0) refuse_unreadable(file, errno);
-    require_plain(file, status.st_mode);
+    if (lstat(file.c_str(), &status) != 0) refuse_unreadable(errno);
+    require_plain(status.st_mode);
     const int opened =
         open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (opened < 0) refuse_unreadable(file, errno);
+    if (opened < 0) refuse_unreadable(errno);
     Descriptor descriptor(opened, "open");
-    if (fstat(descriptor, &status) != 0) refuse_unreadable(file, errno);
-    require_plain(file, status.st_mode);
+    if (fstat(descriptor, &status) != 0) refuse_unreadable(errno);
+    require_plain(status.st_mode);
     return descriptor;
 }
 
@@ -60,14 +58,14 @@ PlainFile read_plain_file(const fs::path& file, std::size_t most)
 {
     const Descriptor descriptor = opened_plain_file(file);
     struct stat status = {};
-    if (fstat(descriptor, &status) != 0) refuse_unreadable(file, errno);
+    if (fstat(descriptor, &status) != 0) refuse_unreadable(errno);
     PlainFile result;
     result.size = static_cast<std::size_t>(status.st_size);
     std::string block(65536, '\0');
     while (result.size <= most) { // the file may grow while it is read
         const ssize_t n = read(descriptor, block.data(), block.size());
         if (n < 0 && errno == EINTR) continue;
-        if (n < 0) refuse_unreadable(file, errno);
+        if (n < 0) refuse_unreadable(errno);
         if (n == 0) {
             result.size = result.text.size();
             return result;

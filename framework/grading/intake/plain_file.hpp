@@ -19,7 +19,7 @@ std::string_view special_kind(mode_t mode);
 
 /// Opens a plain file for reading. Its kind is asked of the open file, so that nobody can exchange
 /// the file between the check and the reading.
-/// @throws Refused if it is anything but a plain file, or cannot be opened
+/// @throws Refused if it is anything but a plain file, or cannot be opened; without its name
 Descriptor opened_plain_file(const std::filesystem::path& file);
 
 struct PlainFile {

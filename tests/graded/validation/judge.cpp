@@ -26,7 +26,8 @@ constexpr int most_rounds = 2000; // a test that asks anew each time would never
 
 using Calls = std::vector<KnownCall>;
 
-// Keeps the calls before the question of the test, and adds the question with its answer.
+// Keeps the calls before the question of the test, and adds the question with its answer. The proxy
+// has refused a question that is none, but the programs for a debugger have no proxy.
 void answer(Calls& known, const Judgement& question, const NumericFormula& formula,
             std::size_t arguments)
 {

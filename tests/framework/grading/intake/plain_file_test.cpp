@@ -51,12 +51,12 @@ TEST_CASE("plain file: a link or a pipe or a device or a folder is refused", "[i
     std::filesystem::create_symlink("/dev/zero", folder.path() / "zero");
     REQUIRE(mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
     REQUIRE(refusal_of(folder.path() / "a.cpp").empty());
-    REQUIRE(refusal_of(folder.path() / "link") == "expected a file, found a link, \"link\"");
-    REQUIRE(refusal_of(folder.path() / "zero") == "expected a file, found a link, \"zero\"");
-    REQUIRE(refusal_of(folder.path() / "pipe") == "expected a file, found a pipe, \"pipe\"");
-    REQUIRE(refusal_of("/dev/zero") == "expected a file, found a device, \"zero\"");
-    REQUIRE(refusal_of(folder.path()).starts_with("expected a file, found a folder"));
-    REQUIRE(refusal_of(folder.path() / "b.cpp").starts_with("\"b.cpp\" cannot be read: "));
+    REQUIRE(refusal_of(folder.path() / "link") == "expected a file, found a link");
+    REQUIRE(refusal_of(folder.path() / "zero") == "expected a file, found a link");
+    REQUIRE(refusal_of(folder.path() / "pipe") == "expected a file, found a pipe");
+    REQUIRE(refusal_of("/dev/zero") == "expected a file, found a device");
+    REQUIRE(refusal_of(folder.path()) == "expected a file, found a folder");
+    REQUIRE(refusal_of(folder.path() / "b.cpp").starts_with("cannot be read: "));
 }
 
 } // namespace rigor::testing::plain_file_test
