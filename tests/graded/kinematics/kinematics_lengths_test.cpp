@@ -45,12 +45,11 @@ TEST_CASE("kinematics: many forces add up", "[A1.8][kinematics]")
 {
     for (const int n : lengths(0, long_list)) {
         CAPTURE(n);
-        std::vector<PointForce> forces;
-        forces.reserve(n);
+        std::vector<PointForce> forces(n);
         Wrench expected;
         for (int i = 0; i < n; ++i) {
             const double F = 1 + i % 7, x = i % 11;
-            forces.push_back({{0, F, 0}, {x, 0, 0}}); // a push along y with the lever x - 2
+            forces[i] = {{0, F, 0}, {x, 0, 0}}; // a push along y with the lever x - 2
             expected.force.y() += F;
             expected.torque.z() += (x - 2) * F;
         }

@@ -20,10 +20,11 @@ inline std::vector<int> lengths(int least, int most)
     for (int n = least; n <= 140; ++n)
         result.push_back(n);
     for (const int size :
-         {192, 200,  256,  300,  320,  384,  400,  500,  512,  600,  640,  700,   768,  800,
-          900, 1000, 1024, 1200, 1500, 2000, 2048, 3000, 4096, 5000, 8192, 10000, 65536})
+         {192, 200, 256, 300, 320, 384, 400, 500, 512, 600, 640, 700, 768, 800, 900, 1000, 1024})
         for (int n = size - 1; n <= size + 1; ++n)
             if (size <= most) result.push_back(n);
+    for (const int size : {1200, 1500, 2000, 2048, 3000, 4096, 5000, 8192, 10000, wide})
+        if (size <= most) result.push_back(size + 1);
     if (long_list <= most) result.push_back(long_list);
     return result;
 }
@@ -32,10 +33,9 @@ inline std::vector<int> lengths(int least, int most)
 /// are exact.
 inline std::vector<Particle> beads(int n)
 {
-    std::vector<Particle> result;
-    result.reserve(n);
+    std::vector<Particle> result(n);
     for (int i = 0; i < n; ++i)
-        result.push_back({1.0 + i % 7, {1.0 + i % 11, 0, 0}});
+        result[i] = {1.0 + i % 7, {1.0 + i % 11, 0, 0}};
     return result;
 }
 

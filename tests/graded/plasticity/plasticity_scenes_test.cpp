@@ -157,7 +157,7 @@ TEST_CASE("plasticity: cyclic load goes round one loop and heats by its area", "
 TEST_CASE("plasticity: a twisted bar turns back by what its yield stress can turn it",
           "[A6.9][plasticity]")
 {
-    const Trajectory run = run_scene("a6-plasticity/twisted_bar");
+    const Trajectory run = run_scene("a6-plasticity/twisted_bar", 0.02);
     const auto edge = [](int sign) {
         return [sign](const Vector3d& p) {
             return p.x() > 1.19 && p.y() > 0.14 && sign * p.z() > 0.14;
@@ -215,7 +215,7 @@ TEST_CASE("plasticity: a ball falls as a point does until it touches the floor",
 
 TEST_CASE("plasticity: a metal ball keeps a dent and a rubber one bounces", "[A6.9][plasticity]")
 {
-    const Trajectory run = run_scene("a6-plasticity/dent");
+    const Trajectory run = run_scene("a6-plasticity/dent", {}, R"({"end": 1.2})");
     double metal_top = 0, rubber_top = 0;
     for (const Frame& frame : run.frames) {
         CAPTURE(frame.time);

@@ -16,26 +16,24 @@ std::string Place::text() const
     return before + (before.empty() ? "" : ".") + std::string(field);
 }
 
-double NumberBlock::norm() const
-{
-    double norm = 0;
-    for (int i = 0; i < size(); ++i)
-        norm = std::hypot(norm, data[i]);
-    return norm;
-}
-
 double Components::scale(std::size_t i) const
 {
-    const auto after = std::partition_point(norms_.begin(), norms_.end(),
-                                            [i](const Norm& norm) { return norm.end <= i; });
-    return after != norms_.end() && after->first <= i ? after->norm : std::abs(numbers[i]);
+    const auto block = std::partition_point(blocks_.begin(), blocks_.end(),
+                                            [i](const Block& one) { return one.end <= i; });
+    if (block == blocks_.end() || i < block->first) return std::abs(numbers[i]);
+    if (!block->norm) {
+        block->norm = 0;
+        for (std::size_t k = block->first; k < block->end; ++k)
+            block->norm = std::hypot(*block->norm, numbers[k]);
+    }
+    return *block->norm;
 }
 
 void Components::block(const Place&, const NumberBlock& block)
 {
     const std::size_t first = numbers.size();
     numbers.insert(numbers.end(), block.data, block.data + block.size());
-    if (block.size() > 1) norms_.push_back({first, numbers.size(), block.norm()});
+    if (block.size() > 1) blocks_.push_back({first, numbers.size()});
 }
 
 void Components::size(std::size_t n)

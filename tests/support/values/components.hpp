@@ -29,7 +29,6 @@ struct NumberBlock {
     const double* data;
     int rows, columns;
     int size() const { return rows * columns; }
-    double norm() const;
 };
 
 template <class T> struct IsOptional : std::false_type {
@@ -77,11 +76,11 @@ struct Components {
     void presence(bool is_present);
 
 private:
-    struct Norm {
-        std::size_t first, end; // the numbers of a block
-        double norm;
+    struct Block {
+        std::size_t first, end;                  // its numbers
+        mutable std::optional<double> norm = {}; // computed when it is first asked for
     };
-    std::vector<Norm> norms_; // one for each block of several numbers
+    std::vector<Block> blocks_; // those of several numbers
 };
 
 template <class T> Components components(const T& value)
