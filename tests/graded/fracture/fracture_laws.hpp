@@ -224,6 +224,56 @@ std::vector<std::array<int, 2>> links_through_faces(const TetrahedralMesh& mesh,
     return links;
 }
 
+/// Labels of the corners of a mesh in which these faces are cut: two corners have the same label if
+/// faces that hold connect them.
+inline std::vector<int> corners_held_together(const TetrahedralMesh& mesh,
+                                              const std::vector<MeshFace>& faces)
+{
+    std::set<std::array<int, 3>> cut;
+    for (const MeshFace& face : faces)
+        cut.insert(face_vertices(mesh.tetrahedra[face.tetrahedron], face.face));
+    return groups(4 * mesh.tetrahedra.size(),
+                  links_through_faces(
+                      mesh, [&](const std::array<int, 3>& face) { return !cut.contains(face); }));
+}
+
+/// The mesh in which these faces are cut, with a vertex for each group of corners.
+inline TetrahedralMesh parted(const TetrahedralMesh& mesh, const std::vector<MeshFace>& faces)
+{
+    const std::vector<int> label = corners_held_together(mesh, faces);
+    TetrahedralMesh result = {{}, mesh.tetrahedra};
+    result.vertices.resize(static_cast<std::size_t>(group_count(label)));
+    std::map<int, int> vertices; // by label
+    for (std::size_t c = 0; c < label.size(); ++c) {
+        const int next = static_cast<int>(vertices.size());
+        const int v = vertices.try_emplace(label[c], next).first->second;
+        result.vertices[v] = mesh.vertices[mesh.tetrahedra[c / 4][c % 4]];
+        result.tetrahedra[c / 4][c % 4] = v;
+    }
+    return result;
+}
+
+/// Checks that corners have the same vertex exactly if faces that hold connect them.
+inline void check_definition(const TetrahedralMesh& mesh, const std::vector<MeshFace>& faces,
+                             const SplitMesh& result)
+{
+    const std::vector<int> label = corners_held_together(mesh, faces);
+    check_count(tetrahedron_count(result.mesh), tetrahedron_count(mesh), "tetrahedra");
+    std::map<int, int> vertex_of, label_of;
+    std::set<int> used;
+    bool holds = true, opens = true;
+    for (std::size_t c = 0; c < label.size(); ++c) {
+        const int v = result.mesh.tetrahedra[c / 4][c % 4];
+        holds &= vertex_of.try_emplace(label[c], v).first->second == v;
+        opens &= label_of.try_emplace(v, label[c]).first->second == label[c];
+        used.insert(mesh.tetrahedra[c / 4][c % 4]);
+    }
+    check_that(holds, "both sides of a face that holds have the same vertices");
+    check_that(opens, "corners have a vertex in common only where faces hold them together");
+    const int unused = vertex_count(mesh) - static_cast<int>(used.size());
+    check_count(vertex_count(result.mesh), group_count(label) + unused, "vertices");
+}
+
 /// Checks that no tetrahedron is inverted, that a face has two sides at most, and that around each
 /// vertex the tetrahedra are connected by faces. (`check_surface` checks that no vertex is in the
 /// middle of an edge.)

@@ -48,6 +48,53 @@ TetrahedralMesh with_similar_indices(int B)
                  static_cast<std::size_t>(B) + 3 * narrow);
 }
 
+using Triple = std::array<int, 3>;
+
+// Pairs of faces that become one if an index is kept modulo B, or if the three indices are added
+// up: with the factors B², B, 1; with 1, B, B²; or with no factors.
+std::vector<std::array<Triple, 2>> similar_faces(int B)
+{
+    std::vector<std::array<Triple, 2>> result;
+    const auto add = [&](const auto& pair) {
+        const int a = 10 + 9 * static_cast<int>(result.size());
+        result.push_back(pair(a, a + 3, a + 6));
+    };
+    using Pair = std::array<Triple, 2>;
+    add([B](int a, int b, int c) { return Pair{{{a, b, c + B}, {a - 1, b + B, c + B}}}; });
+    add([B](int a, int b, int c) { return Pair{{{a, b, c}, {a, b - 1, c + B}}}; });
+    add([B](int a, int b, int c) { return Pair{{{a, b + B, c + B}, {a + B, b + B - 1, c + B}}}; });
+    add([B](int a, int b, int c) { return Pair{{{a, b, c + B}, {a, b + B, c + B - 1}}}; });
+    add([B](int a, int b, int c) { return Pair{{{a, b, c}, {a, b, c + B}}}; });
+    add([B](int a, int b, int c) { return Pair{{{a, b, c}, {a, b + B, c + B}}}; });
+    add([B](int a, int b, int c) { return Pair{{{a, b, c}, {a + B, b + B, c + B}}}; });
+    add([](int a, int b, int c) { return Pair{{{a, b, c}, {a + 1, b - 1, c}}}; });
+    return result;
+}
+
+// A mesh with two tetrahedra at each of these faces, and the first or second face of each pair.
+std::pair<TetrahedralMesh, std::vector<MeshFace>> beside_similar_faces(int B, bool is_second)
+{
+    TetrahedralMesh mesh;
+    mesh.vertices.assign(static_cast<std::size_t>(B) + narrow, Vector3d(-9, -9, -9));
+    std::vector<MeshFace> named;
+    for (const auto& pair : similar_faces(B))
+        for (const Triple& face : pair) {
+            // a slanted triangle at the place of its first index, one meter high for the second
+            const double x = 3.0 * (face[0] % B), y = &face == &pair[1] ? 1 : 0;
+            const Vector3d corners[] = {{x, y, 0}, {x + 1, y, 0}, {x, y, 1}};
+            for (int i = 0; i < 3; ++i)
+                mesh.vertices[face[i]] = corners[i];
+            const int tip = static_cast<int>(mesh.vertices.size());
+            mesh.vertices.emplace_back(x, y - 0.4, 0);
+            mesh.vertices.emplace_back(x, y + 0.4, 0);
+            if ((&face == &pair[1]) == is_second)
+                named.push_back({static_cast<int>(mesh.tetrahedra.size()), 0});
+            mesh.tetrahedra.push_back({tip, face[0], face[2], face[1]});
+            mesh.tetrahedra.push_back({tip + 1, face[0], face[1], face[2]});
+        }
+    return {mesh, named};
+}
+
 } // namespace
 
 TEST_CASE("fracture: an element with any number of neighbours", "[A7.1][fracture]")
@@ -143,6 +190,17 @@ TEST_CASE("fracture: along a face between tetrahedra with similar indices", "[A7
                     "vertices, three of them doubled");
         check_count(vertex_count(split_along_faces(mesh, {}).mesh), vertex_count(mesh), "vertices");
     }
+}
+
+TEST_CASE("fracture: of faces with similar indices only those that are named open",
+          "[A7.5][fracture]")
+{
+    for (const int B : index_counts)
+        for (const bool is_second : {false, true}) {
+            CAPTURE(B, is_second);
+            const auto [mesh, faces] = beside_similar_faces(B, is_second);
+            check_definition(mesh, faces, split_along_faces(mesh, faces));
+        }
 }
 
 TEST_CASE("fracture: through elements tetrahedra with similar indices", "[A7.6][fracture]")
