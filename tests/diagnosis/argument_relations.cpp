@@ -14,8 +14,6 @@ namespace {
 
 constexpr double exact_fit = 1e-8; // how well a relation has to fit, relative to the answer
 
-using Numbers = std::span<const double>;
-
 // A function of a feature that may be too much in the answer or be missing in it.
 struct Power {
     const char* words; // {} stands for the feature

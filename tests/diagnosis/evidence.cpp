@@ -44,16 +44,16 @@ bool close(std::span<const double> a, std::span<const double> b, double bound, d
 
 namespace {
 
-bool close(const Role& role, std::span<const double> a, std::span<const double> b, double bound,
+bool agree(const Role& role, std::span<const double> a, std::span<const double> b, double bound,
            double noise)
 {
     if (role.quantity.kind == Kind::chosen) return true;
-    if (diagnosis::close(a, b, bound, noise)) return true;
+    if (close(a, b, bound, noise)) return true;
     if (role.quantity.kind != Kind::direction) return false;
     std::vector<double> opposite(b.begin(), b.end());
     for (double& number : opposite)
         number = -number;
-    return diagnosis::close(a, opposite, bound, noise);
+    return close(a, opposite, bound, noise);
 }
 
 } // namespace
@@ -68,8 +68,8 @@ Agreement compare(const Layout& layout, int role, const Value& right, const Valu
         const Leaf& leaf = right.leaves[i];
         if (leaf.role != role) continue;
         const auto a = right.of(leaf, what), b = answer.of(leaf, what);
-        if (!close(what, a, b, clear, noise)) return Agreement::different;
-        if (!close(what, a, b, rounding, noise)) worst = Agreement::unclear;
+        if (!agree(what, a, b, clear, noise)) return Agreement::different;
+        if (!agree(what, a, b, rounding, noise)) worst = Agreement::unclear;
     }
     return worst;
 }

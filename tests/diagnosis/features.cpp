@@ -10,7 +10,6 @@ namespace rigor::diagnosis {
 
 namespace {
 
-using Numbers = std::span<const double>;
 using Vector = Eigen::Map<const Vector3d>;
 using Matrix = Eigen::Map<const Matrix3d>;
 
@@ -122,15 +121,17 @@ void add_list(std::vector<Feature>& result, const Role& role, int index)
                               return all.empty() ? std::nan("") : function(all);
                           }});
     };
-    using List = std::vector<double>;
-    over("the sum of all", [](const List& all) {
+    using Values = std::vector<double>;
+    over("the sum of all", [](const Values& all) {
         double sum = 0;
         for (const double x : all)
             sum += x;
         return sum;
     });
-    over("the smallest", [](const List& all) { return *std::min_element(all.begin(), all.end()); });
-    over("the largest", [](const List& all) { return *std::max_element(all.begin(), all.end()); });
+    over("the smallest",
+         [](const Values& all) { return *std::min_element(all.begin(), all.end()); });
+    over("the largest",
+         [](const Values& all) { return *std::max_element(all.begin(), all.end()); });
 }
 
 } // namespace

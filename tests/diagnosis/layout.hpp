@@ -74,6 +74,10 @@ struct Value {
 
 using Bytes = std::vector<std::byte>;
 
+/// The numbers of a leaf, to be read or to be changed.
+using Numbers = std::span<const double>;
+using Changeable = std::span<double>;
+
 /// A type: its encoding and its places.
 struct Layout {
     Encoding encoding;

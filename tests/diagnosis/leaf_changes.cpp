@@ -8,19 +8,16 @@ namespace rigor::diagnosis {
 
 namespace {
 
-using Numbers = std::span<double>;
-using Matrix = Eigen::Map<Eigen::MatrixXd>;
-
 template <class Function> auto each(const Function& function)
 {
-    return [function](Numbers numbers) {
+    return [function](Changeable numbers) {
         for (double& x : numbers)
             x = function(x);
         return true;
     };
 }
 
-bool normalize(Numbers numbers)
+bool normalize(Changeable numbers)
 {
     double square = 0;
     for (const double x : numbers)
@@ -32,9 +29,9 @@ bool normalize(Numbers numbers)
 }
 
 // Puts number `order[i]` at i.
-std::function<bool(Numbers)> permuted(std::vector<int> order)
+std::function<bool(Changeable)> permuted(std::vector<int> order)
 {
-    return [order](Numbers numbers) {
+    return [order](Changeable numbers) {
         const std::vector<double> old(numbers.begin(), numbers.end());
         for (std::size_t i = 0; i < order.size(); ++i)
             numbers[i] = old[order[i]];
@@ -44,8 +41,8 @@ std::function<bool(Numbers)> permuted(std::vector<int> order)
 
 template <class Function> auto on_matrix(int rows, int columns, const Function& function)
 {
-    return [=](Numbers numbers) {
-        Matrix A(numbers.data(), rows, columns);
+    return [=](Changeable numbers) {
+        Eigen::Map<Eigen::MatrixXd> A(numbers.data(), rows, columns);
         const Eigen::MatrixXd changed = function(Eigen::MatrixXd(A));
         if (!changed.allFinite()) return false;
         A = changed;
@@ -78,12 +75,12 @@ void add_vector(std::vector<LeafChange>& changes)
         {"doubled", "a factor of 2 may be too much", each([](double x) { return 2 * x; })});
     const char* axes[] = {"(1, 0, 0)", "(0, 1, 0)", "(0, 0, 1)"};
     for (int axis = 0; axis < 3; ++axis)
-        changes.push_back(
-            {std::string("= ") + axes[axis], "it may have been left out", [axis](Numbers numbers) {
-                 for (int i = 0; i < 3; ++i)
-                     numbers[i] = i == axis;
-                 return true;
-             }});
+        changes.push_back({std::string("= ") + axes[axis], "it may have been left out",
+                           [axis](Changeable numbers) {
+                               for (int i = 0; i < 3; ++i)
+                                   numbers[i] = i == axis;
+                               return true;
+                           }});
     changes.push_back({"in the order y, z, x", "", permuted({1, 2, 0})});
     changes.push_back({"in the order z, x, y", "", permuted({2, 0, 1})});
     changes.push_back({"in the order z, y, x", "", permuted({2, 1, 0})});
@@ -91,7 +88,7 @@ void add_vector(std::vector<LeafChange>& changes)
     changes.push_back({"in the order x, z, y", "", permuted({0, 2, 1})});
     changes.push_back({"replaced by the absolute values of its components", "",
                        each([](double x) { return std::abs(x); })});
-    changes.push_back({"with each component replaced by their sum", "", [](Numbers numbers) {
+    changes.push_back({"with each component replaced by their sum", "", [](Changeable numbers) {
                            const double sum = numbers[0] + numbers[1] + numbers[2];
                            numbers[0] = numbers[1] = numbers[2] = sum;
                            return true;
@@ -134,26 +131,27 @@ void add_matrix(std::vector<LeafChange>& changes, int n)
 
 void add_quaternion(std::vector<LeafChange>& changes)
 {
-    changes.push_back({"conjugated", "q and its conjugate may have changed places", [](Numbers q) {
-                           for (int i = 1; i < 4; ++i)
-                               q[i] = -q[i];
-                           return true;
-                       }});
-    changes.push_back({"with its scalar part negated", "", [](Numbers q) {
+    changes.push_back(
+        {"conjugated", "q and its conjugate may have changed places", [](Changeable q) {
+             for (int i = 1; i < 4; ++i)
+                 q[i] = -q[i];
+             return true;
+         }});
+    changes.push_back({"with its scalar part negated", "", [](Changeable q) {
                            q[0] = -q[0];
                            return true;
                        }});
-    changes.push_back({"= 1, no rotation", "it may have been left out", [](Numbers q) {
+    changes.push_back({"= 1, no rotation", "it may have been left out", [](Changeable q) {
                            q[0] = 1;
                            q[1] = q[2] = q[3] = 0;
                            return true;
                        }});
     changes.push_back({"normalized", "it is not unit here, and must not be made so", normalize});
-    changes.push_back({"without its vector part", "", [](Numbers q) {
+    changes.push_back({"without its vector part", "", [](Changeable q) {
                            q[1] = q[2] = q[3] = 0;
                            return true;
                        }});
-    changes.push_back({"without its scalar part", "", [](Numbers q) {
+    changes.push_back({"without its scalar part", "", [](Changeable q) {
                            q[0] = 0;
                            return true;
                        }});

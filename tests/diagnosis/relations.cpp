@@ -17,8 +17,6 @@ namespace {
 
 constexpr double exact = 1e-8; // how well a relation has to fit, relative to the answer
 
-using Numbers = std::span<const double>;
-
 template <class Predicate> bool all_of(const Pairs& pairs, const Predicate& predicate)
 {
     return std::all_of(pairs.list.begin(), pairs.list.end(), predicate);

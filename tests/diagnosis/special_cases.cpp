@@ -10,8 +10,6 @@ namespace rigor::diagnosis {
 
 namespace {
 
-using Numbers = std::span<double>;
-
 bool may_scale(const Role& role)
 {
     switch (role.quantity.kind) {
@@ -114,8 +112,8 @@ void add_equal(Inputs& inputs, int role, int other)
             [&](Value& value) {
                 const auto a = arguments.leaves(value, role), b = arguments.leaves(value, other);
                 if (a.empty() || b.empty()) return;
-                const Numbers x = value.of(a[0], arguments.roles[role]),
-                              y = value.of(b[0], arguments.roles[other]);
+                const Changeable x = value.of(a[0], arguments.roles[role]),
+                                 y = value.of(b[0], arguments.roles[other]);
                 for (std::size_t i = 0; i < x.size(); ++i)
                     x[i] = y[i] * (1 + nearly * static_cast<double>(i + 1));
             },

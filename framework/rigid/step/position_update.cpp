@@ -47,15 +47,16 @@ void displace(RigidState& state, const Displacement& by)
 void update_positions(World& world, const ContactProblem& problem, const std::vector<bool>& pulled,
                       const std::vector<Body>& after_collisions, const std::vector<char>& by_mean,
                       const std::vector<Displacement>& displacements,
-                      std::vector<RigidState>& states)
+                      const std::vector<bool>& flown_again, std::vector<RigidState>& states)
 {
     Counters& counters = world.counters;
     const std::vector<Impulses> impulses = impulses_of(problem);
+    const auto is_flown_again = [&](int i) { return !flown_again.empty() && flown_again[i]; };
     const auto move = [&](int i, bool by_mean_velocity, const MovingFrame& frame,
                           Counters& counted) {
         const bool is_displaced = !displacements.empty() && !displacements[i].is_zero();
         const auto [has_bounced, has_contact_impulse] = impulses[i];
-        if (!has_bounced && !has_contact_impulse) { // keep `states[i]`, the state after free flight
+        if (!has_contact_impulse && (!has_bounced || is_flown_again(i))) { // keep the flown state
             if (is_displaced) displace(states[i], displacements[i]);
             ++counted.free_flights;
             return;

@@ -22,11 +22,14 @@ namespace rigor {
 /// @param after_collisions  the bodies after the collision stage, before the forces
 /// @param by_mean           for each island, whether its bodies move with their mean velocities
 /// @param displacements     the position corrections, one for each body, or an empty list
+/// @param flown_again       for each body, whether `states` has its flight after the collisions
+///                          (bounced_flight.hpp); or an empty list. Such a body keeps this state
+///                          if it got no impulse in the contact stage.
 /// @param states            the states after free flight; changed for bodies that got an impulse or
 ///                          a displacement
 void update_positions(World& world, const ContactProblem& problem, const std::vector<bool>& pulled,
                       const std::vector<Body>& after_collisions, const std::vector<char>& by_mean,
                       const std::vector<Displacement>& displacements,
-                      std::vector<RigidState>& states);
+                      const std::vector<bool>& flown_again, std::vector<RigidState>& states);
 
 } // namespace rigor

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Advances a world by one time step in the order of Guendelman, Bridson and Fedkiw (2003):
 // collisions, velocities, contact, positions. Free flight and the search for contacts come first.
-// Bodies that contacts hold while springs pull them fly again with the forces of the contacts. An
-// island whose contacts move along a curve is solved again with the contacts in the middle of the
-// step. After the positions, single bounces are computed at their exact times. Then the step of
-// an island with too much new overlap is repeated in two halves. The step of an island in which two
-// balls meet is repeated in two parts, before and after the impact, and that of a single body that
-// stops sliding in two parts, before and after that time. If a body may have penetrated another one
-// where the search for contacts did not look, the step of the whole world is repeated in two
-// halves. Last, islands at rest fall asleep.
+// Bodies that springs pull fly again if they bounce, with their velocities after the collisions,
+// and if contacts hold them, with the forces of the contacts. An island whose contacts move along a
+// curve is solved again with the contacts in the middle of the step. After the positions, single
+// bounces are computed at their exact times. Then the step of an island with too much new overlap
+// is repeated in two halves. The step of an island in which two balls meet is repeated in two
+// parts, before and after the impact, and that of a single body that stops sliding in two parts,
+// before and after that time. If a body may have penetrated another one where the search for
+// contacts did not look, the step of the whole world is repeated in two halves. Last, islands at
+// rest fall asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
@@ -19,6 +20,7 @@
 #include "rigid/contact/resting_contact.hpp"
 #include "rigid/motion/forces.hpp"
 #include "rigid/motion/free_flight.hpp"
+#include "rigid/step/bounced_flight.hpp"
 #include "rigid/step/impact.hpp"
 #include "rigid/step/mean_velocity.hpp"
 #include "rigid/step/missed_contacts.hpp"
@@ -120,25 +122,30 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, int divi
     enter_moving_frames(problem);
     process_collisions(problem);
     std::vector<Body> after_collisions = problem.bodies;
+    BouncedFlight bounced(world, problem, pulled);
+    const std::vector<RigidState>& forced_flight = bounced.is_empty() ? flown : bounced.flown();
     for (const Island& island : problem.islands) {
-        apply_forces(world, island, after_collisions, flown, problem);
+        apply_forces(world, island, after_collisions, forced_flight, problem);
         process_contact(problem, island, after_collisions);
     }
     if (divisions < most_halvings && is_too_long_for_friction(world, problem, pulled)) {
+        bounced.restore();
         world.counters = before; // only the halves count
         return step_in_halves(world, time_step, divisions);
     }
     const std::optional<SupportedFlight> supported =
-        fly_supported(world, problem, after_collisions, pulled, flown);
+        fly_supported(world, problem, after_collisions, pulled, forced_flight);
     const std::vector<char> by_mean = moves_by_mean_velocity(
-        world, after_collisions, supported ? supported->forced : flown, candidates.poses, problem);
+        world, after_collisions, supported ? supported->forced : forced_flight, candidates.poses,
+        problem);
     std::vector<Displacement> displacements = position_corrections(problem);
     if (supported) displacements = sum(std::move(displacements), supported->bends);
     leave_unheld_frames(problem, after_collisions);
 
-    StepResult result{supported ? supported->flown : flown, {}, {}};
+    StepResult result{supported ? supported->flown : forced_flight, {}, {}};
     update_positions(world, problem, pulled, after_collisions, by_mean, displacements,
-                     result.states);
+                     bounced.bodies(), result.states);
+    bounced.restore();
     leave_moving_frames(problem, after_collisions);
     result.records = bounce_at_impacts(world, problem, pulled, displacements, result.states);
     const Refinement refined =

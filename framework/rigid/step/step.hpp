@@ -27,6 +27,9 @@
 //   moving frames       drives                    velocities, frames   contact/driven_bodies
 // 3 collisions          velocities before forces, velocities, impulses contact/collisions
 //                       gaps
+//   bounced flight      velocities, forces        flown states,        step/bounced_flight; for
+//                                                 predicted gaps       bodies that bounced and that
+//                                                                      springs or drag pull
 // 4 velocities          flown states              velocities           step/step, `apply_forces`
 // 5 contact, friction   velocities, gaps          velocities, impulses contact/resting_contact
 //   set drives          drives, velocities        velocities of drives contact/driven_bodies

@@ -116,16 +116,6 @@ private:
     std::vector<std::pair<double, double>> weights_;
 };
 
-// The displacement from the pose of the state `a` to that of `b`.
-Displacement displacement(const RigidState& a, const RigidState& b)
-{
-    Quaternion turn = multiply(b.orientation, conjugate(a.orientation));
-    if (turn.s < 0) turn = {-turn.s, -turn.v};
-    const double sine = turn.v.norm();
-    const double angle = 2 * std::atan2(sine, turn.s);
-    return {b.position - a.position, sine > 0 ? Vector3d(angle / sine * turn.v) : 2 * turn.v};
-}
-
 // Removes from the displacements what would move bodies at the contacts that hold them: along the
 // normal, and where a contact sticks also along the surface. The velocities of `bodies` are the
 // displacements. The method is Gauss–Seidel.
@@ -173,7 +163,7 @@ std::vector<Displacement> bends_of(const World& world, ContactProblem& problem,
             mean.angular_momentum = (start.angular_momentum + end.angular_momentum) / 2;
             mean = fly(world.settings, world.bodies[i], mean, problem.time_step, uncounted,
                        Gravity::left_out);
-            const Displacement bend = displacement(mean, end);
+            const Displacement bend = displacement_between(mean, end);
             moved[i].velocity = bend.shift;
             moved[i].angular_velocity = bend.turn;
         }
@@ -186,6 +176,15 @@ std::vector<Displacement> bends_of(const World& world, ContactProblem& problem,
 }
 
 } // namespace
+
+Displacement displacement_between(const RigidState& a, const RigidState& b)
+{
+    Quaternion turn = multiply(b.orientation, conjugate(a.orientation));
+    if (turn.s < 0) turn = {-turn.s, -turn.v};
+    const double sine = turn.v.norm();
+    const double angle = 2 * std::atan2(sine, turn.s);
+    return {b.position - a.position, sine > 0 ? Vector3d(angle / sine * turn.v) : 2 * turn.v};
+}
 
 void apply_forces(const World& world, const Island& island, const std::vector<Body>& first,
                   const std::vector<RigidState>& flown, ContactProblem& problem)

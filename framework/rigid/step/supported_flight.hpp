@@ -50,6 +50,9 @@ std::optional<SupportedFlight> fly_supported(World& world, ContactProblem& probl
                                              const std::vector<bool>& pulled,
                                              const std::vector<RigidState>& flown);
 
+/// The displacement from the pose of the state `a` to that of `b`.
+Displacement displacement_between(const RigidState& a, const RigidState& b);
+
 /// Gives the bodies of an island their velocities after the forces. In a moving frame
 /// (contact/driven_bodies.hpp), the fictitious force is added.
 /// @param first  the bodies before the forces

@@ -9,6 +9,7 @@
 #include "rigid/step/substeps/adaptive_substeps.hpp"
 
 #include "rigid/detection/overlap_depth.hpp"
+#include "rigid/motion/forces.hpp"
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/impact.hpp"
 #include "rigid/step/substeps/end_of_sliding.hpp"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace rigor {
 
@@ -44,41 +46,61 @@ struct IslandWorld {
     std::vector<int> bodies; // for each body of `world`, its index in the whole world; ascending
 };
 
-bool has_body(const Island& island, int i)
+// The bodies of an island, and those that springs connect with them directly or through other
+// bodies. They can be moved alone and in parts.
+// @return nothing if they cannot, because one of them is in another island or may touch a body that
+//         is not among them, or because a deformable solid presses on one of them
+std::optional<std::vector<int>> bodies_moved_together(const World& world,
+                                                      const ContactProblem& problem,
+                                                      const Island& island,
+                                                      const std::vector<Contact>& near)
 {
-    return std::binary_search(island.bodies.begin(), island.bodies.end(), i);
+    std::vector<int> bodies = island.bodies;
+    std::vector<bool> is_in(world.bodies.size(), false);
+    for (const int i : bodies)
+        is_in[i] = true;
+    const auto is_other = [&](int i) { return i >= 0 && !world.bodies[i].is_static && !is_in[i]; };
+    for (bool grows = !world.springs.empty(); grows;) {
+        grows = false;
+        for (const Spring& s : world.springs)
+            for (const auto& [one, other] : {std::pair(s.body1, s.body2), {s.body2, s.body1}})
+                if (one >= 0 && is_in[one] && is_other(other)) {
+                    is_in[other] = grows = true;
+                    bodies.push_back(other);
+                }
+    }
+    const bool is_pressed =
+        std::any_of(world.forces.begin(), world.forces.end(), [&](const AppliedForce& force) {
+            return force.is_of_solid && is_in[force.body];
+        });
+    if (is_pressed) return std::nullopt;
+    if (bodies.size() == island.bodies.size()) return bodies;
+    for (const Island& each : problem.islands)
+        if (&each != &island)
+            for (const int i : each.bodies)
+                if (is_in[i]) return std::nullopt;
+    for (const Contact& c : near)
+        if ((is_in[c.body1] && is_other(c.body2)) || (is_in[c.body2] && is_other(c.body1)))
+            return std::nullopt;
+    std::sort(bodies.begin(), bodies.end());
+    return bodies;
 }
 
-// Whether the island cannot be moved alone and in parts, because a spring connects it with a body
-// outside it that can move, or because a deformable solid presses on it.
-bool is_tied(const World& world, const Island& island)
+// Copies these bodies, in ascending order, and the static bodies that contacts in `near` or springs
+// connect with them.
+IslandWorld part_of(const World& world, const std::vector<int>& moved,
+                    const std::vector<Contact>& near)
 {
-    const auto is_outside = [&](int i) {
-        return i >= 0 && !world.bodies[i].is_static && !has_body(island, i);
-    };
-    return std::any_of(world.springs.begin(), world.springs.end(),
-                       [&](const Spring& s) {
-                           return (has_body(island, s.body1) && is_outside(s.body2)) ||
-                                  (has_body(island, s.body2) && is_outside(s.body1));
-                       }) ||
-           std::any_of(world.forces.begin(), world.forces.end(), [&](const AppliedForce& f) {
-               return f.is_of_solid && has_body(island, f.body);
-           });
-}
-
-// Copies an island, and the static bodies that contacts in `near` or springs connect with it.
-IslandWorld part_of(const World& world, const Island& island, const std::vector<Contact>& near)
-{
+    const auto is_moved = [&](int i) { return std::binary_search(moved.begin(), moved.end(), i); };
     IslandWorld part;
-    part.bodies = island.bodies;
+    part.bodies = moved;
     for (const Contact& c : near)
         for (const auto& [fixed, other] :
              {std::pair(c.body1, c.body2), std::pair(c.body2, c.body1)})
-            if (world.bodies[fixed].is_static && has_body(island, other))
-                part.bodies.push_back(fixed);
+            if (world.bodies[fixed].is_static && is_moved(other)) part.bodies.push_back(fixed);
     std::vector<Spring> springs;
     for (const Spring& spring : world.springs) {
-        if (!has_body(island, spring.body1) && !has_body(island, spring.body2)) continue;
+        if (!is_moved(spring.body1) && !is_moved(spring.body2)) continue;
         springs.push_back(spring);
         for (const int i : {spring.body1, spring.body2})
             if (i >= 0) part.bodies.push_back(i);
@@ -97,7 +119,7 @@ IslandWorld part_of(const World& world, const Island& island, const std::vector<
         part.world.springs.push_back(spring);
     }
     for (AppliedForce force : world.forces)
-        if (has_body(island, force.body)) {
+        if (is_moved(force.body)) {
             force.body = index[force.body];
             part.world.forces.push_back(force);
         }
@@ -173,6 +195,19 @@ bool is_hit_again(const ContactProblem& problem, const ContactPair& pair)
     return stop > noticeable * bounce && bounce > 0;
 }
 
+// Whether a pair that should bounce was stopped by the contact stage, since springs, applied forces
+// or drag pushed the two bodies together within the step: again after a bounce, or for the first
+// time, so that the collision stage found no hit.
+bool is_pushed_together(const ContactProblem& problem, const ContactPair& pair)
+{
+    if (problem.contacts[pair.first].restitution == 0) return false;
+    if (bounced(problem, pair)) return is_hit_again(problem, pair);
+    return std::any_of(problem.contacts.begin() + pair.first, problem.contacts.begin() + pair.last,
+                       [&](const ContactConstraint& c) {
+                           return problem.holds(c) && c.gap > nearly_touching_gap * c.radius;
+                       });
+}
+
 // Where the step of an island is divided in two parts.
 struct Division {
     double time = 0;      // since the start of the step; 0 if the step is not divided [s]
@@ -228,11 +263,29 @@ Division first_impact(const World& world, const ContactProblem& problem, const I
     return {};
 }
 
+// The first hit in an island that springs, applied forces or drag act on, whatever its shapes and
+// restitutions; the end of the step if its bodies do not meet in free flight. The time is predicted
+// with the mean acceleration of the step, and predicted again in the later part. The step is not
+// divided if a contact is hit at its start, or if a contact without a hit carries a load.
+Division first_impact_under_forces(const World& world, const ContactProblem& problem,
+                                   const Island& island)
+{
+    if (island.bodies.size() > few_bodies) return {};
+    double first = problem.time_step;
+    for (const ContactPair& pair : island.pairs)
+        if (bounced(problem, pair))
+            first = std::min(first, time_of_impact(world, problem, pair));
+        else if (carries_load(problem, pair))
+            return {};
+    if (first <= apart * problem.time_step) return {};
+    return {std::min(just_before * first, problem.time_step), true, true};
+}
+
 // Moves the bodies of a world by free flight.
 void fly_freely(World& world, double time)
 {
     ThreadPool alone;
-    const std::vector<bool> pulled(world.bodies.size(), false);
+    const std::vector<bool> pulled = with_dragged_bodies(pulled_bodies(world, time), world);
     const std::vector<RigidState> flown = fly_all(world, pulled, time, alone);
     for (std::size_t i = 0; i < flown.size(); ++i)
         world.bodies[i].state = flown[i];
@@ -277,19 +330,29 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::
                                            [&](int i) { return pulled[i]; });
         const bool lands = island.lands_at > apart * h;
         Division division;
-        if (!is_pulled)
+        if (is_pulled)
+            division = first_impact_under_forces(world, problem, island);
+        else
             division = lands ? Division{just_before * island.lands_at, true, true}
                              : first_impact(world, problem, island);
         if (is_at_limit && !division.is_apart) continue;
-        const bool is_halved =
-            !is_pulled && division.time == 0 && !is_at_limit &&
-            std::any_of(island.pairs.begin(), island.pairs.end(), std::ref(overlaps_anew));
+        const auto is_any = [&](const auto& condition) {
+            return std::any_of(island.pairs.begin(), island.pairs.end(), condition);
+        };
+        const bool is_halved = division.time == 0 && !is_at_limit &&
+                               (is_pulled ? is_any([&](const ContactPair& pair) {
+                                   return is_pushed_together(problem, pair);
+                               })
+                                          : is_any(std::ref(overlaps_anew)));
         if (is_halved)
             division.time = h / 2;
         else if (division.time == 0 && divisions < most_divisions_of_sliding)
             division.time = end_of_sliding(problem, island, first);
-        if (division.time == 0 || is_tied(world, island)) continue;
-        IslandWorld part = part_of(world, island, candidates.contacts);
+        if (division.time == 0) continue;
+        const std::optional<std::vector<int>> moved =
+            bodies_moved_together(world, problem, island, candidates.contacts);
+        if (!moved) continue;
+        IslandWorld part = part_of(world, *moved, candidates.contacts);
         if (division.is_free) {
             fly_freely(part.world, division.time);
         } else {
@@ -298,7 +361,7 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::
             const int of_first = is_at_limit ? most_divisions_of_few : divisions + 1;
             take_substep(part, step, of_first, division.time, refined);
         }
-        take_substep(part, step, divisions + 1, h - division.time, refined);
+        if (division.time < h) take_substep(part, step, divisions + 1, h - division.time, refined);
         keep_warm_contacts(part, refined);
         for (std::size_t k = 0; k < part.bodies.size(); ++k)
             if (!part.world.bodies[k].is_static)

@@ -49,13 +49,18 @@ inline constexpr int most_divisions_of_sliding = 2;
 ///    bodies would be stopped at the start of the step otherwise, before they touch.
 /// 5. In an island of a single body, a contact stops sliding (end_of_sliding.hpp). The step is
 ///    divided at this time, because the force of friction changes then.
+/// 6. Springs, applied forces or drag act on an island of at most `few_bodies` bodies, and no
+///    contact carries a load but those that are hit. The step is divided at the first impact.
+/// 7. Such forces push two bodies together that should bounce, so strongly that they meet within
+///    the step although they separate at its start. The step is divided in the middle.
 ///
 /// In cases 2 and 3, a bounce does not count if `bounce_at_impacts` (impact.hpp) has already moved
 /// it to its time of impact.
 ///
 /// An island is refined only if it has at most 32 bodies. If springs, applied forces or drag act on
-/// it, only case 5 counts, and it is refined only if no spring connects it with a body outside it
-/// that can move and no deformable solid presses on it.
+/// it, only the cases 5 to 7 count. Bodies that springs connect with it move with it; it is not
+/// refined if one of them is in another island or may touch one, or if a deformable solid presses
+/// on one of them.
 ///
 /// @param world    only its counters change
 /// @param problem  the impulses of repeated islands are set to zero in it

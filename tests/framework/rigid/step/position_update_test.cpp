@@ -49,7 +49,8 @@ struct Balls {
             poses.push_back(pose_of(body.state));
         const std::vector<char> by_mean =
             moves_by_mean_velocity(world, after_collisions, states, poses, problem);
-        update_positions(world, problem, pulled, after_collisions, by_mean, displacements, states);
+        update_positions(world, problem, pulled, after_collisions, by_mean, displacements, {},
+                         states);
         return states[1];
     }
 };
@@ -198,7 +199,7 @@ TEST_CASE("position update: a velocity that is none is named with its body and t
 TEST_CASE("position update: without islands nothing changes", "[rigid]")
 {
     Balls balls;
-    update_positions(balls.world, balls.problem, balls.pulled, balls.after_collisions, {}, {},
+    update_positions(balls.world, balls.problem, balls.pulled, balls.after_collisions, {}, {}, {},
                      balls.states);
     CHECK(std::isnan(balls.states[1].position.x()));
     CHECK(balls.world.counters.free_flights == 0);
