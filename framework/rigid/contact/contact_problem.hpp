@@ -34,7 +34,7 @@ struct ContactConstraint : Contact {
     // 3. `gap` belongs to the orientation at the end of free flight (`ContactCandidates::turned`),
     //    so it already includes the rotation. `passes_by` is -h times the part of v·n by rotation,
     //    so that the rotation does not count twice.
-    // 4. The contact was solved in the middle of the step (step/midpoint_contact). `passes_by` is h
+    // 4. The contact was solved in the middle of the step (midpoint_contact.hpp). `passes_by` is h
     //    times the mean of v·n over the step, minus h v·n with the v at the end of the step.
     double turning_speed = 0, passes_by = 0;
     double force_speed = 0;        // change of v·n by the forces in this step [m/s]

@@ -4,7 +4,7 @@
 // contacts keep their normals.
 #include "rigid/step/mean_velocity.hpp"
 
-#include "rigid/step/midpoint_contact.hpp"
+#include "rigid/step/midpoint/midpoint_contact.hpp"
 
 #include <algorithm>
 #include <cmath>

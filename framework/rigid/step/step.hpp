@@ -41,7 +41,7 @@
 //                                                 velocities, impulses bodies that contacts hold
 //                                                                      and springs or drag pull
 //   solve again         contacts in mid-step      velocities, impulses step/mean_velocity,
-//                                                 contacts             step/midpoint_contact
+//                                                 contacts             step/midpoint/
 // 6 position correction gaps, velocities          displacements        contact/position_correction
 //   leave frames        impulses, frames          velocities           contact/driven_bodies
 // 7 positions           velocities, displacements states               step/position_update
@@ -96,7 +96,7 @@
 //   Jean (1999), Erleben (2007)                      sweeps, contact/solvers/optimised_sweeps
 //   Silcowitz-Hansen, Niebe and Erleben (2010)       their acceleration, contact/solvers/run_sweeps
 //   Alart and Curnier (1991)                         contact/solvers/newton_contact
-//   Moreau (1999)                                    solve again, step/midpoint_contact
+//   Moreau (1999)                                    solve again, step/midpoint/midpoint_contact
 //   Baumgarte (1972), only without gravity           `correction_speed`, which `activate_contacts`
 //                                                    calls; contact/position_correction
 // 6 Catto (2014)                                     contact/position_correction

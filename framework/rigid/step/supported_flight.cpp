@@ -9,7 +9,7 @@
 #include "rigid/detection/overlap_depth.hpp"
 #include "rigid/motion/forces.hpp"
 #include "rigid/motion/free_flight.hpp"
-#include "rigid/step/middle_of_step.hpp"
+#include "rigid/step/midpoint/middle_of_step.hpp"
 
 #include <algorithm>
 

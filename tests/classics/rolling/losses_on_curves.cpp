@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A contact that moves along a curved surface does no work if nothing slips. In steps it does a
 // little. Between smooth shapes this goes down with the third power of the step, or the second if
-// the body begins to roll from rest (step/midpoint_contact.hpp). On a mesh, where the normal jumps,
-// it is a loss.
+// the body begins to roll from rest (step/midpoint/midpoint_contact.hpp). On a mesh, where the
+// normal jumps, it is a loss.
 #include "classics/problems.hpp"
 
 #include "geometry/meshes/generators.hpp"

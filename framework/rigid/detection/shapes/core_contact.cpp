@@ -159,10 +159,12 @@ private:
             const bool begins = is_linear(i + 1), ends = is_linear(i - 1);
             if (begins && i > 0) add(end_of_line(i, -1, gaps, step));
             if (ends && i < last) add(end_of_line(i, 1, gaps, step));
+            // If two samples are equal, only the second one is the least.
             const bool is_least =
-                gaps[i] <= gaps[std::max(i - 1, 0)] && gaps[i] <= gaps[std::min(i + 1, last)];
-            if (i == 0 || i == last || (is_least && !begins && !ends)) add(i * step);
-            if (is_least) refine(i, step, gaps[i]);
+                (i == 0 || gaps[i] <= gaps[i - 1]) && (i == last || gaps[i] < gaps[i + 1]);
+            const bool is_end = i == 0 || i == last || begins || ends;
+            if (i == 0 || i == last) add(i * step);
+            if (is_least && !refine(i, step, gaps[i]) && !is_end) add(i * step);
         }
     }
 
@@ -207,14 +209,17 @@ private:
         return lowest;
     }
 
-    void refine(int i, double step, double at_sample)
+    // Adds the place of the least gap near sample i, if it is less than at the sample.
+    // @return whether it is
+    bool refine(int i, double step, double at_sample)
     {
         const double low = core_.is_closed ? (i - 1) * step : std::max(i - 1, 0) * step;
         const double high =
             core_.is_closed ? (i + 1) * step : std::min((i + 1) * step, core_.length);
         const double s = minimum([&](double t) { return gap(t); }, low, high);
-        const double least = gap(s);
-        if (least < at_sample - least_improvement * core_.meters()) add(s);
+        const bool is_less = gap(s) < at_sample - least_improvement * core_.meters();
+        if (is_less) add(s);
+        return is_less;
     }
 
     void add(double s)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rigid/step/substeps/end_of_sliding.hpp"
 
-#include "rigid/step/middle_of_step.hpp"
+#include "rigid/step/midpoint/middle_of_step.hpp"
 
 #include <algorithm>
 

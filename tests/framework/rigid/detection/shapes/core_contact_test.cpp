@@ -69,6 +69,24 @@ TEST_CASE("core contact: a capsule that lies on another one is held at both ends
     CHECK_THAT(right, IsClose(0.5, Order(1e-9)));
 }
 
+TEST_CASE("core contact: a capsule across a round body has one contact", "[rigid]")
+{
+    // Another one beside it would hit as soon as the capsule rolls on to it.
+    for (const Shape& ground :
+         {Shape(Cylinder{0.5, 1}), Shape(Ellipsoid{{0.5, 0.7, 0.5}}), Shape(Torus{0.35, 0.15})})
+        for (const double a : {0., 0.3, 2., 4.2969, 6.}) { // [degrees]; samples lie at 0 and 4.2969
+            CAPTURE(a);
+            const double angle = a * std::numbers::pi / 180;
+            const Vector3d n(std::sin(angle), std::cos(angle), 0), t(n.y(), -n.x(), 0);
+            const Pose above = turned({0, 0, 1}, 90 - a, 0.53 * n - 0.5 * angle * t),
+                       below = turned({1, 0, 0}, 90, {0, 0, 0});
+            const auto touches = touches_of(Capsule{0.03, 1.2}, above, ground, below, 0.02);
+            REQUIRE(touches.size() == 1);
+            CHECK_THAT(touches[0].gap, IsClose(0.0, Order(1e-7)));
+            CHECK_THAT(touches[0].normal, IsClose(n, Order(1e-6)));
+        }
+}
+
 TEST_CASE("core contact: a ball in a corner touches both walls", "[rigid]")
 {
     const Shape corner = mesh(angle_mesh({2, 2, 2}, 0.3)); // its inside corner is at (-0.7, -0.7)

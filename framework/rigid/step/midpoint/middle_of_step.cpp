@@ -4,15 +4,14 @@
 // contact stage. With these poses the narrow phase finds the contacts again, and each contact with
 // an impulse is matched with one of those that it finds. A contact moves along a curve if its v·n
 // has changed, and along a body if its lever arm has changed.
-#include "rigid/step/middle_of_step.hpp"
+#include "rigid/step/midpoint/middle_of_step.hpp"
 
 #include "rigid/bodies/orientation.hpp"
-#include "rigid/detection/narrow_phase.hpp"
 #include "rigid/motion/free_flight.hpp"
+#include "rigid/step/midpoint/held_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rigor {
 
@@ -25,10 +24,6 @@ constexpr std::size_t most_contacts = 32;
 // is the same as that of `opens` in mean_velocity.cpp; a smaller change is only an error of the
 // sweeps.
 constexpr double least_change = 1e-6;
-// Smallest cosine of the angle between the normals of a contact at the start and in the middle of
-// the step; the largest angle is 60°. At a larger angle, the two count as different contacts.
-constexpr double same_side = 0.5;
-
 bool has_mesh(const RigidBody& body)
 {
     return std::any_of(body.parts.begin(), body.parts.end(),
@@ -65,15 +60,6 @@ bool is_suitable(const World& world, const ContactProblem& problem, const Island
         }
     }
     return is_grounded;
-}
-
-// A bound of |v| at a contact, whatever the directions of its lever arms. It is the same in every
-// frame that moves at a constant velocity.
-double speed_at(const Contact& c, const Body& body1, const Body& body2)
-{
-    return (body1.velocity - body2.velocity).norm() +
-           body1.angular_velocity.norm() * (c.point - body1.position).norm() +
-           body2.angular_velocity.norm() * (c.point - body2.position).norm();
 }
 
 // Whether a contact touches a driven body that turns.
@@ -149,77 +135,6 @@ std::map<int, Body> moved_to_the_middle(const World& world, const ContactProblem
     return moved;
 }
 
-// Takes from `found` the contact nearest to `point`, if it lies within `reach` and its normal
-// differs from `normal` by at most 60°.
-// @param point  the point of a contact at the start of the step, moved for half of the step with
-//               the mean velocity of the two bodies at this point
-// @return whether a contact was taken
-bool take_nearest(const Vector3d& point, const Vector3d& normal, double reach,
-                  std::vector<Contact>& found, Contact& nearest)
-{
-    const auto distance = [&](const Contact& c) { return (c.point - point).norm(); };
-    const auto best =
-        std::min_element(found.begin(), found.end(), [&](const Contact& a, const Contact& b) {
-            return distance(a) < distance(b);
-        });
-    if (best == found.end() || distance(*best) > reach || best->normal.dot(normal) < same_side)
-        return false;
-    nearest = *best;
-    found.erase(best);
-    return true;
-}
-
-// Whether the contact in the middle of the step is with an edge towards which the bodies move: they
-// are farther apart there than at the start, and its normal has turned against their motion. This
-// is so where a body comes from one tile to the next. At the start, its contact with the second
-// tile has the normal of the tile's face, since the search for contacts looks ahead. (On a convex
-// surface, the bodies move apart in the middle of the step. On a concave surface, they overlap.)
-// @param V  velocity of the center of body 1 relative to that of body 2. It counts instead of
-//           v₁ - v₂, because the shape of a round body that rolls moves with its center.
-bool is_edge_ahead(const HeldContact& contact, const ContactConstraint& start, const Vector3d& V)
-{
-    return contact.middle.gap > start.gap + nearly_touching_gap * start.radius &&
-           V.dot(contact.middle.normal - start.normal) < -contact.negligible;
-}
-
-// Sets `middle` of the held contacts of one pair of bodies to the contacts that are found in the
-// middle of the step. Where this is the edge of a tile (`is_edge_ahead`), the contact keeps its
-// normal and gap. A contact without an impulse that is not closer then than at the start gets
-// the index -1.
-// @return whether each contact with an impulse was found again
-bool find_middle(const World& world, const ContactProblem& problem, const std::vector<Body>& first,
-                 const std::vector<Pose>& poses, std::span<HeldContact> contacts)
-{
-    const ContactConstraint& lowest = problem.contacts[contacts.front().index];
-    const Body &body1 = first[lowest.body1], &body2 = first[lowest.body2];
-    const double h = problem.time_step;
-    const double path = h * speed_at(lowest, body1, body2) + nearly_touching_gap * lowest.radius;
-    std::vector<Contact> found;
-    Counters uncounted;
-    find_contacts(world, poses, lowest.body1, lowest.body2, std::abs(lowest.gap) + path, found,
-                  uncounted, h / 2);
-    // The only contact of two bodies may move farther than any point of the bodies, as below a flat
-    // pebble that rocks.
-    const bool is_single = contacts.size() == 1 && found.size() == 1;
-    const double reach = is_single ? std::numeric_limits<double>::infinity() : path;
-    for (HeldContact& contact : contacts) {
-        const ContactConstraint& c = problem.contacts[contact.index];
-        const Vector3d v1 = body1.velocity + body1.angular_velocity.cross(c.point - body1.position);
-        const Vector3d carried = c.point + h / 2 * (v1 - contact.v_start / 2);
-        const bool is_found = take_nearest(carried, c.normal, reach, found, contact.middle);
-        if (!is_found && contact.has_impulse) return false;
-        if (is_found && is_edge_ahead(contact, c, body1.velocity - body2.velocity)) {
-            contact.middle.point = carried;
-            contact.middle.normal = c.normal;
-            contact.middle.gap = c.gap;
-        }
-        const double closer = c.gap - contact.middle.gap;
-        if (!contact.has_impulse && !(is_found && closer > touching_gap * c.radius))
-            contact.index = -1;
-    }
-    return true;
-}
-
 // Whether a contact moves along one of the bodies of the island from the start to the middle of the
 // step, so that the load of this body on the contact changes: both in world space and in object
 // space, the lever arm changes by more than `least_change` times the radius. (The lever arm of a
@@ -239,47 +154,6 @@ bool moves_along_a_body(const ContactConstraint& start, const Contact& middle, c
         return (r_mid - r).norm() > least &&
                (R.transpose() * r_mid - first.R.transpose() * r).norm() > least;
     });
-}
-
-// Gives the index -1 to contacts that the bodies leave behind in the first half of the step. Where
-// a ball crosses the joint between two tiles, both tiles hold it at the same point at the start,
-// but only one of them does so in the middle of the step.
-void drop_left_behind(const ContactProblem& problem, std::span<HeldContact> held)
-{
-    const auto is_left_behind = [&](const HeldContact& contact, const HeldContact& other) {
-        if (contact.index < 0 || other.index < 0) return false;
-        const ContactConstraint &c = problem.contacts[contact.index],
-                                &o = problem.contacts[other.index];
-        const double negligible = nearly_touching_gap * c.radius;
-        const bool is_same = (c.normal - o.normal).norm() <= nearly_touching_gap &&
-                             (c.point - o.point).norm() <= negligible;
-        return is_same && contact.middle.gap > other.middle.gap + negligible;
-    };
-    for (HeldContact& contact : held)
-        if (std::any_of(held.begin(), held.end(),
-                        [&](const HeldContact& other) { return is_left_behind(contact, other); }))
-            contact.index = -1;
-}
-
-// Sets `middle` of all held contacts and removes those that count no more: see `find_middle` and
-// `drop_left_behind`.
-// @return whether each contact with an impulse was found again
-bool find_middles(const World& world, const ContactProblem& problem, const std::vector<Body>& first,
-                  const std::vector<Pose>& poses, std::vector<HeldContact>& held)
-{
-    const auto bodies_of = [&](const HeldContact& contact) {
-        const ContactConstraint& c = problem.contacts[contact.index];
-        return std::pair(c.body1, c.body2);
-    };
-    for (auto begin = held.begin(), end = begin; begin != held.end(); begin = end) {
-        const std::pair<int, int> pair = bodies_of(*begin);
-        end = std::find_if(begin, held.end(),
-                           [&](const HeldContact& other) { return bodies_of(other) != pair; });
-        if (!find_middle(world, problem, first, poses, {begin, end})) return false;
-    }
-    drop_left_behind(problem, held);
-    std::erase_if(held, [](const HeldContact& contact) { return contact.index < 0; });
-    return true;
 }
 
 // Sets `v_middle` and `change` of a held contact.

@@ -6,12 +6,12 @@
 // end obeys the law of contact: it has no part along the normal, and no part along the surface
 // where a contact sticks. So only the friction of sliding contacts does work. Errors that earlier
 // steps have left are removed.
-#include "rigid/step/midpoint_contact.hpp"
+#include "rigid/step/midpoint/midpoint_contact.hpp"
 
 #include "rigid/contact/blocks.hpp"
 #include "rigid/contact/make_problem.hpp"
 #include "rigid/contact/solvers/island_solver.hpp"
-#include "rigid/step/middle_of_step.hpp"
+#include "rigid/step/midpoint/middle_of_step.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,31 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geometry/shapes/pose.hpp"
-#include "rigid/bodies/world.hpp"
-#include "rigid/contact/contact_problem.hpp"
+#include "rigid/step/midpoint/held_contacts.hpp"
 
 #include <map>
 #include <optional>
 
 namespace rigor {
-
-/// A contact that holds bodies apart in this step, at the start and in the middle of the step.
-struct HeldContact {
-    int index = 0;       // index in `ContactProblem::contacts`
-    Contact middle = {}; // the same contact in the middle of the step
-    // v₁ - v₂ at the contact point of the start of the step, and at that of the middle of the step,
-    // both with the velocities and angular momenta of the bodies at the start [m/s].
-    Vector3d v_start = {}, v_middle = {};
-    // The change of v·n from the start to the middle of the step [m/s]. It is computed twice, with
-    // the velocities at the start and with those after the contact stage. The larger value is kept.
-    double change = 0;
-    double negligible = 0; // the highest speed at this contact that counts as 0 [m/s]
-    // Whether the contact stage gave it an impulse. If not, a driven body that turns may close the
-    // contact within the step.
-    bool has_impulse = false;
-    bool slides = false; // whether its friction in the contact stage is at the limit
-};
 
 /// The contacts of an island that count in the middle of the step, grouped by pairs of bodies, and
 /// its bodies by their indices in the world. The bodies have their poses in the middle of the step,
