@@ -128,6 +128,11 @@ TEST_CASE("collision: the impulse matrix of a static body is zero", "[A4.4][coll
 {
     REQUIRE_THAT(impulse_matrix(0, Matrix3d::Zero(), Vector3d(1, 2, 3), Vector3d(3, 2, 2)),
                  IsExactly(Matrix3d(Matrix3d::Zero())));
+    INFO("whatever its inertia");
+    for (Random random : seeds(5))
+        REQUIRE_THAT(
+            impulse_matrix(0, random.positive_definite(), random.vector(), random.vector()),
+            IsExactly(Matrix3d(Matrix3d::Zero())));
 }
 
 TEST_CASE("collision: K maps an impulse to the change of velocity at its point",

@@ -118,6 +118,25 @@ TEST_CASE("kinematics: rates of a body by hand", "[A1.9][kinematics]")
     }
 }
 
+TEST_CASE("kinematics: the rate of R is linear in R", "[A1.9][kinematics]")
+{
+    // The stages of a Runge-Kutta step ask for the rate of matrices that are no rotations.
+    for (Random random : seeds(20)) {
+        MatrixState state = random_state(random);
+        const Matrix3d I_inverse = random.positive_definite();
+        const Vector3d w = I_inverse * state.angular_momentum;
+        Matrix3d expected;
+        for (int i = 0; i < 3; ++i) {
+            state.rotation.col(i) = std::pow(2.0, random.uniform(-2, 2)) * random.vector();
+            expected.col(i) = w.cross(state.rotation.col(i));
+        }
+        const double scale =
+            I_inverse.norm() * state.angular_momentum.norm() * state.rotation.norm();
+        REQUIRE_THAT(equations_of_motion(state, 1, I_inverse, Wrench{}).rotation_rate,
+                     IsClose(expected, Rounding(32, scale)));
+    }
+}
+
 TEST_CASE("kinematics: a static body has no rates", "[A1.9][kinematics]")
 {
     Random random(1);
