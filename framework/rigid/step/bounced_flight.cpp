@@ -42,12 +42,12 @@ std::vector<const Island*> bounced_islands(const ContactProblem& problem,
 
 // How the point of a contact on a body moves along the normal of the contact in a flight: its
 // displacement [m], and its speed at the end [m/s].
-struct Motion {
+struct NormalMotion {
     double displacement = 0, last_speed = 0;
 };
 
-Motion motion_of(const ContactConstraint& c, const Body& body, const RigidState& start,
-                 const RigidState& end, double time_step)
+NormalMotion motion_of(const ContactConstraint& c, const Body& body, const RigidState& start,
+                       const RigidState& end, double time_step)
 {
     const Body last = with_forces(body, start, end);
     const Vector3d r = c.point - body.position;
@@ -68,7 +68,7 @@ void predict_gaps(const World& world, const std::vector<RigidState>& flown, cons
         for (int k = pair.first; k < pair.last; ++k) {
             ContactConstraint& c = problem.contacts[k];
             if (c.collision_impulse.isZero(0)) continue;
-            const Motion first = motion(c, c.body1), second = motion(c, c.body2);
+            const NormalMotion first = motion(c, c.body1), second = motion(c, c.body2);
             const double opens = first.displacement - second.displacement;
             if (c.gap + opens < 0) continue;
             const double last_speed = first.last_speed - second.last_speed;
