@@ -8,6 +8,7 @@
 #include "rigid/contact/make_problem.hpp"
 #include "rigid/detection/overlap_depth.hpp"
 #include "rigid/motion/free_flight.hpp"
+#include "rigid/step/impact.hpp"
 #include "rigid/step/supported_flight.hpp"
 
 #include <algorithm>
@@ -15,15 +16,6 @@
 namespace rigor {
 
 namespace {
-
-bool has_bounced(const ContactProblem& problem, const Island& island)
-{
-    return std::any_of(island.pairs.begin(), island.pairs.end(), [&](const ContactPair& pair) {
-        return std::any_of(
-            problem.contacts.begin() + pair.first, problem.contacts.begin() + pair.last,
-            [](const ContactConstraint& c) { return !c.collision_impulse.isZero(0); });
-    });
-}
 
 // The islands that fly again.
 std::vector<const Island*> bounced_islands(const ContactProblem& problem,
@@ -33,8 +25,11 @@ std::vector<const Island*> bounced_islands(const ContactProblem& problem,
     for (const Island& island : problem.islands) {
         const bool is_pulled = std::any_of(island.bodies.begin(), island.bodies.end(),
                                            [&](int i) { return pulled[i]; });
-        if (is_pulled && island.bodies.size() <= most_refined && island.frame.is_world() &&
-            has_bounced(problem, island))
+        const bool has_bounced =
+            std::any_of(island.pairs.begin(), island.pairs.end(),
+                        [&](const ContactPair& pair) { return bounced(problem, pair); });
+        if (is_pulled && has_bounced && island.bodies.size() <= most_refined &&
+            island.frame.is_world())
             islands.push_back(&island);
     }
     return islands;
@@ -81,8 +76,7 @@ void predict_gaps(const World& world, const std::vector<RigidState>& flown, cons
 BouncedFlight::BouncedFlight(World& world, ContactProblem& problem, const std::vector<bool>& pulled)
     : world_(world)
 {
-    const Integrator integrator = world.settings.integrator_under_forces();
-    if (integrator != Integrator::runge_kutta && integrator != Integrator::matrix) return;
+    if (!has_stages(world.settings.integrator_under_forces())) return;
     const std::vector<const Island*> islands = bounced_islands(problem, pulled);
     if (islands.empty()) return;
     bodies_.assign(world.bodies.size(), false);

@@ -30,11 +30,6 @@ constexpr int most_repetitions = 8;
 // that a spring pulls loses energy with 2.8, as it should, but gains energy with 3.5.
 constexpr double longest_step = 2;
 
-bool has_stages(Integrator integrator)
-{
-    return integrator == Integrator::runge_kutta || integrator == Integrator::matrix;
-}
-
 template <class Visit>
 void for_each_contact(ContactProblem& problem, const std::vector<const Island*>& islands,
                       const Visit& visit)
@@ -176,6 +171,11 @@ std::vector<Displacement> bends_of(const World& world, ContactProblem& problem,
 }
 
 } // namespace
+
+bool has_stages(Integrator integrator)
+{
+    return integrator == Integrator::runge_kutta || integrator == Integrator::matrix;
+}
 
 Displacement displacement_between(const RigidState& a, const RigidState& b)
 {

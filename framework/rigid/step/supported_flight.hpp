@@ -50,6 +50,10 @@ std::optional<SupportedFlight> fly_supported(World& world, ContactProblem& probl
                                              const std::vector<bool>& pulled,
                                              const std::vector<RigidState>& flown);
 
+/// Whether an integrator computes forces several times in a step. One that does so only once
+/// (symplectic Euler) makes no error by a path that contacts change.
+bool has_stages(Integrator integrator_under_forces);
+
 /// The displacement from the pose of the state `a` to that of `b`.
 Displacement displacement_between(const RigidState& a, const RigidState& b);
 
