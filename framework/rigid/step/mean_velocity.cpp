@@ -5,6 +5,7 @@
 #include "rigid/step/mean_velocity.hpp"
 
 #include "rigid/step/midpoint/midpoint_contact.hpp"
+#include "rigid/step/supported_flight.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +13,6 @@
 namespace rigor {
 
 namespace {
-
-// Whether positions converge with an order above the first even where forces change within a step,
-// as the forces of springs do. (The integrator `buss` has a higher order only without such forces.)
-// If so, the positions of bodies that contacts hold should have a higher order too.
-bool is_of_higher_order(Integrator integrator_under_forces)
-{
-    return integrator_under_forces == Integrator::runge_kutta ||
-           integrator_under_forces == Integrator::matrix;
-}
 
 // Whether the contacts of an island act along the same normals during the whole step, as on an
 // incline. This is so if v·n is zero at every contact with an impulse, at the start and at the
@@ -72,7 +64,9 @@ std::vector<char> moves_by_mean_velocity(const World& world,
                                          std::vector<Pose> poses, ContactProblem& problem)
 {
     std::vector<char> by_mean(problem.islands.size(), false);
-    if (!is_of_higher_order(world.settings.integrator_under_forces())) return by_mean;
+    // Integrators with stages converge with an order above the first even where forces change
+    // within a step. The positions of bodies that contacts hold should have a higher order too.
+    if (!has_stages(world.settings.integrator_under_forces())) return by_mean;
     for (std::size_t k = 0; k < by_mean.size(); ++k) {
         const Island& island = problem.islands[k];
         switch (solve_at_midpoint(world, after_collisions, flown, island, poses, problem)) {

@@ -169,13 +169,13 @@ bool find_middle(const World& world, const ContactProblem& problem, const std::v
     return shift && match(problem, first, contacts, found, *shift, path);
 }
 
-// Gives the index -1 to contacts that the bodies leave behind in the first half of the step. Where
-// a ball crosses the joint between two tiles, both tiles hold it at the same point at the start,
+// Sets `is_left` of contacts that the bodies leave behind in the first half of the step. Where a
+// ball crosses the joint between two tiles, both tiles hold it at the same point at the start,
 // but only one of them does so in the middle of the step.
-void drop_left_behind(const ContactProblem& problem, std::span<HeldContact> held)
+void mark_left_behind(const ContactProblem& problem, std::span<HeldContact> held)
 {
     const auto is_left_behind = [&](const HeldContact& contact, const HeldContact& other) {
-        if (contact.index < 0 || other.index < 0) return false;
+        if (contact.is_left || other.is_left) return false;
         const ContactConstraint &c = problem.contacts[contact.index],
                                 &o = problem.contacts[other.index];
         const double negligible = nearly_touching_gap * c.radius;
@@ -186,7 +186,7 @@ void drop_left_behind(const ContactProblem& problem, std::span<HeldContact> held
     for (HeldContact& contact : held)
         if (std::any_of(held.begin(), held.end(),
                         [&](const HeldContact& other) { return is_left_behind(contact, other); }))
-            contact.index = -1;
+            contact.is_left = true;
 }
 
 } // namespace
@@ -211,10 +211,8 @@ bool find_middles(const World& world, const ContactProblem& problem, const std::
                            [&](const HeldContact& other) { return bodies_of(other) != pair; });
         if (!find_middle(world, problem, first, poses, {begin, end})) return false;
     }
-    for (HeldContact& contact : held)
-        if (contact.is_left) contact.index = -1;
-    drop_left_behind(problem, held);
-    std::erase_if(held, [](const HeldContact& contact) { return contact.index < 0; });
+    mark_left_behind(problem, held);
+    std::erase_if(held, [](const HeldContact& contact) { return contact.is_left; });
     return true;
 }
 

@@ -22,8 +22,7 @@ struct HeldContact {
     // contact within the step.
     bool has_impulse = false;
     bool slides = false; // whether its friction in the contact stage is at the limit
-    // Whether it got no impulse and is not closer in the middle of the step than at the start, so
-    // that it does not count.
+    // Whether it does not count in the middle of the step, see `find_middles`.
     bool is_left = false;
 };
 
