@@ -7,9 +7,15 @@
 
 namespace rigor {
 
+struct SolidAtHeight {
+    double height;     // height of the mean of its nodes [m]
+    std::size_t solid; // index into `solids`
+};
+
 struct DeformableWorld {
     World rigid; // its gravity and time also apply to the solids
     std::vector<Deformable> solids;
+    std::vector<SolidAtHeight> from_top; // memory of `step`: the order of its last step
 };
 
 } // namespace rigor

@@ -77,23 +77,23 @@ void move(Deformable& solid, RigidColliders& rigid, World& world, double time_st
     fracture(solid, work, world);
 }
 
-// The indices of the solids, highest center first. The lower one of two solids has to know the load
-// that a rigid body between them passes on.
-std::vector<std::size_t> from_top(const std::vector<Deformable>& solids, const Vector3d& gravity)
+// Sorts the solids, highest center first. The lower one of two solids has to know the load that a
+// rigid body between them passes on.
+void sort_from_top(DeformableWorld& world)
 {
-    const Vector3d up = up_direction(gravity);
-    std::vector<double> heights; // [m]
-    std::vector<std::size_t> order;
-    for (const Deformable& solid : solids) {
+    const Vector3d up = up_direction(world.rigid.settings.gravity);
+    std::vector<SolidAtHeight>& order = world.from_top;
+    order.clear();
+    for (std::size_t i = 0; i < world.solids.size(); ++i) {
+        const std::vector<Vector3d>& positions = world.solids[i].positions;
         double sum = 0;
-        for (const Vector3d& x : solid.positions)
+        for (const Vector3d& x : positions)
             sum += up.dot(x);
-        heights.push_back(sum / static_cast<double>(solid.positions.size()));
-        order.push_back(order.size());
+        order.push_back({sum / static_cast<double>(positions.size()), i});
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t i, std::size_t j) { return heights[i] > heights[j]; });
-    return order;
+    std::sort(order.begin(), order.end(), [](const SolidAtHeight& a, const SolidAtHeight& b) {
+        return a.height != b.height ? a.height > b.height : a.solid < b.solid;
+    });
 }
 
 // As long as this object lives, the impulses of the nodes act on the rigid bodies as forces.
@@ -119,8 +119,9 @@ std::vector<ContactRecord> step(DeformableWorld& world, double time_step)
     if (!world.solids.empty()) {
         RigidColliders rigid(world.rigid, time_step);
         const std::vector<Pose> surfaces = rigid.surfaces;
-        for (const std::size_t i : from_top(world.solids, world.rigid.settings.gravity)) {
-            Deformable& solid = world.solids[i];
+        sort_from_top(world);
+        for (const SolidAtHeight& next : world.from_top) {
+            Deformable& solid = world.solids[next.solid];
             remember_first_places(solid);
             move(solid, rigid, world.rigid, time_step);
             require_finite(solid, world.rigid.time + time_step);
