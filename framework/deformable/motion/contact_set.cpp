@@ -3,8 +3,8 @@
 // slide, by an active-set method. `solve_with_contacts` (implicit_motion.cpp) runs its rounds. Each
 // round ties the nodes of the contacts that hold, solves the linear system and corrects every
 // contact that pulls, penetrates, or violates Coulomb's law. Sliding friction enters the system as
-// a damping: the friction impulse divided by the sliding speed. The rounds are a fixed-point
-// iteration for this damping.
+// a damping: the friction impulse divided by the sliding speed. From two solves with different
+// dampings, the code extrapolates to the damping that gives the friction impulse of Coulomb's law.
 #include "deformable/motion/contact_set.hpp"
 
 #include "formulas/collision.hpp"
@@ -40,6 +40,8 @@ void ContactSet::guess(const ContactStep& step)
     step_.emplace(step);
     modes_.assign(step.contacts.size(), ContactMode::open);
     dampings_.assign(step.contacts.size(), 0.0);
+    last_slidings_.assign(step.contacts.size(), {});
+    has_stopped_.assign(step.contacts.size(), false);
     impulses_.assign(step.contacts.size(), Vector3d::Zero());
     const double h = step.time_step;
     for (std::size_t k = 0; k < step.contacts.size(); ++k) {
@@ -135,15 +137,37 @@ bool ContactSet::revise_tied(int k, const Vector3d& velocity, const Matrix3d& di
     if (modes_[k] == ContactMode::sticking) {
         if (inside_friction_cone(j, n, c.friction)) return false;
         modes_[k] = ContactMode::sliding;
+        last_slidings_[k] = {};
         const Vector3d v = step_->solid.velocities[c.node] + step_->time_step * step_->gravity;
         d = std::min(largest, most / slip_speed(c, v)); // `largest` also for 0/0
         return true;
     }
     const double speed = slip_speed(c, velocity);
     if (std::abs(d * speed - most) <= friction_tolerance * most) return false;
-    d = most / speed;
-    if (!(d < largest)) modes_[k] = ContactMode::sticking;
+    revise_damping(k, speed, most, largest);
     return true;
+}
+
+// Corrects the damping d of a contact that slides at the speed s, so that d s becomes the friction
+// impulse `most`, or lets the contact stick. If the node had the momentum p before friction, and
+// moved with the mass m, then s = p / (m + d). Two solves give p and m, and with them the speed
+// s = (p - most) / m that friction leaves. If friction leaves none, the contact sticks. With
+// d = most / s instead, friction that just stops a solid would need a hundred rounds. In a step, a
+// contact is made to stick in this way only once.
+void ContactSet::revise_damping(int k, double speed, double most, double largest)
+{
+    double& d = dampings_[k];
+    const auto [last_d, last_speed] = last_slidings_[k];
+    last_slidings_[k] = {d, speed};
+    const double p = (d - last_d) / (1 / speed - 1 / last_speed), m = p / speed - d;
+    const bool is_known = last_speed > 0 && p > 0 && m > 0;
+    if (is_known && p <= most && !has_stopped_[k]) {
+        has_stopped_[k] = true;
+        modes_[k] = ContactMode::sticking;
+        return;
+    }
+    d = is_known && p > most ? most * m / (p - most) : most / speed;
+    if (!(d < largest)) modes_[k] = ContactMode::sticking;
 }
 
 double ContactSet::slip_speed(const NodeContact& c, const Vector3d& velocity) const

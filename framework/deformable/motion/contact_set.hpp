@@ -62,14 +62,22 @@ private:
     Vector3d arm(const NodeContact& contact) const;
     bool revise_free(int k, const Vector3d& velocity);
     bool revise_tied(int k, const Vector3d& velocity, const Matrix3d& diagonal);
+    void revise_damping(int k, double speed, double most, double largest);
     double slip_speed(const NodeContact& contact, const Vector3d& velocity) const;
+
+    // A damping, and the slip speed that a solve has found with it.
+    struct Sliding {
+        double damping = 0, speed = 0; // [kg], [m/s]
+    };
 
     std::optional<ContactStep> step_;
     std::vector<ContactMode> modes_; // for each contact
     // For each contact that slides, its friction impulse divided by its slip speed [kg].
     std::vector<double> dampings_;
-    std::vector<Vector3d> impulses_; // for each contact, its impulse on the node [N s]
-    std::vector<int> tied_by_;       // for each node, the contact that ties it, or -1
+    std::vector<Sliding> last_slidings_; // for each contact; zero before its first solve
+    std::vector<char> has_stopped_;      // for each contact, whether it slid and then stuck
+    std::vector<Vector3d> impulses_;     // for each contact, its impulse on the node [N s]
+    std::vector<int> tied_by_;           // for each node, the contact that ties it, or -1
 };
 
 } // namespace rigor
