@@ -166,7 +166,7 @@ std::vector<Lying> lying_bodies(const World& world, const std::vector<Wrench>& l
     std::vector<Lying> all;
     for (const WarmContact& c : world.memory.warm_contacts) {
         const Pose pose = pose_of(world.bodies[c.body1].state);
-        const Vector3d point = pose.R * c.point + pose.X;
+        const Vector3d point = pose.R * c.point1 + pose.X;
         for (const auto& [body, other, sign] :
              {std::tuple(c.body1, c.body2, 1.0), {c.body2, c.body1, -1.0}})
             if (c.mean_force.norm() > noticeable * loads[body].force.norm())

@@ -15,7 +15,8 @@ namespace rigor {
 /// the contact problem of the next step is made.
 struct WarmContact {
     int body1 = 0, body2 = 0;
-    Vector3d point = Vector3d::Zero();      // in object space of body 1 [m]
+    Vector3d point1 = Vector3d::Zero();     // in object space of body 1 [m]
+    Vector3d point2 = Vector3d::Zero();     // the same point in object space of body 2 [m]
     Vector3d mean_force = Vector3d::Zero(); // on body 1: contact-stage impulse / time step [N]
 };
 

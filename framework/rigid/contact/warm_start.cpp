@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Warm start of the contacts by the impulses of the previous step. For each pair of bodies, the
-// code computes the distances between old and new contacts in world space, and matches the nearest
-// ones first. A new contact starts from the impulse of its old contact, projected onto the friction
-// cone of the new contact.
+// code computes the distances between old and new contacts, and matches the nearest ones first. An
+// old contact may have moved with either body: with the ground below a wheel, or with a block that
+// slides over the ground. A new contact starts from the impulse of its old contact, projected onto
+// the friction cone of the new contact. Under a face that slides, the loads are first spread
+// evenly.
 #include "rigid/contact/warm_start.hpp"
 
 #include "geometry/shapes/pose.hpp"
 #include "rigid/bodies/inlined_product.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace rigor {
@@ -73,6 +76,100 @@ struct Match {
     auto operator<=>(const Match&) const = default;
 };
 
+// Whether the impulse from which a contact starts is at its friction limit, up to rounding.
+bool starts_sliding(const ContactConstraint& c)
+{
+    constexpr double rounding = 1e-9;
+    const double j_n = c.initial_impulse.dot(c.normal);
+    const double j_T = (c.initial_impulse - j_n * c.normal).norm();
+    return j_n > 0 && j_T >= (1 - rounding) * c.friction * j_n;
+}
+
+// The closed contacts of a pair, if they are those of a face that slides: if they are at least
+// four, with the same normal, and one of them starts at its friction limit. Otherwise the list is
+// empty.
+std::vector<ContactConstraint*> sliding_face(std::span<ContactConstraint> contacts)
+{
+    constexpr std::size_t least_contacts = 4; // the equilibrium determines the loads of fewer
+    constexpr double same_normal = 1e-9;      // largest difference of two normals
+    std::vector<ContactConstraint*> face;
+    if (contacts.size() < least_contacts ||
+        std::none_of(contacts.begin(), contacts.end(), starts_sliding))
+        return face;
+    for (ContactConstraint& c : contacts) {
+        const bool is_loaded = !c.initial_impulse.isZero(0);
+        if (c.gap <= nearly_touching_gap * c.radius)
+            face.push_back(&c);
+        else if (is_loaded)
+            return {};
+    }
+    const bool is_flat = std::all_of(face.begin(), face.end(), [&](const ContactConstraint* c) {
+        return (c->normal - face.front()->normal).norm() <= same_normal;
+    });
+    return is_flat && face.size() >= least_contacts ? face : std::vector<ContactConstraint*>{};
+}
+
+// Normal impulses that are a linear function of the place x on a face: j = j₀ + s · x.
+struct LinearLoad {
+    Vector3d middle = Vector3d::Zero(); // mean of the contact points, where x = 0 [m]
+    Vector3d slope = Vector3d::Zero();  // s, along the face [N s/m]
+    double mean = 0;                    // j₀ [N s]
+
+    double at(const Vector3d& point) const { return mean + slope.dot(point - middle); }
+};
+
+// The linear load with the sum and the moments of the initial impulses.
+// @return nothing if the contacts lie nearly on a line
+std::optional<LinearLoad> linear_load(const std::vector<ContactConstraint*>& face)
+{
+    // The least determinant of the second moments, if their trace is 1.
+    constexpr double least_determinant = 1e-3;
+    const Vector3d n = face.front()->normal, t1 = n.unitOrthogonal(), t2 = n.cross(t1);
+    const auto count = static_cast<double>(face.size());
+    LinearLoad load;
+    for (const ContactConstraint* c : face) {
+        load.middle += c->point / count;
+        load.mean += c->initial_impulse.dot(n) / count;
+    }
+    Eigen::Matrix2d second = Eigen::Matrix2d::Zero(); // second moments of the places [m²]
+    Eigen::Vector2d first = Eigen::Vector2d::Zero();  // moments of the impulses [N s m]
+    for (const ContactConstraint* c : face) {
+        const Vector3d r = c->point - load.middle;
+        const Eigen::Vector2d x(r.dot(t1), r.dot(t2));
+        second += x * x.transpose();
+        first += c->initial_impulse.dot(n) * x;
+    }
+    const double trace = second.trace();
+    if (!(second.determinant() > least_determinant * trace * trace)) return std::nullopt;
+    const Eigen::Vector2d slope = second.inverse() * first;
+    load.slope = slope.x() * t1 + slope.y() * t2;
+    return load;
+}
+
+// Spreads the load of a pair that slides on a face evenly over its contacts. As on an elastic
+// foundation (Winkler 1867), the normal impulse becomes a linear function of the place, with the
+// same moments. The equilibrium of the body leaves the loads of four contacts open, so errors of
+// earlier steps could add up in them. Where contacts slide, an uneven load makes the friction
+// uneven, which turns the body.
+// @param sum  the normal impulses of the last step, also of contacts that were not found again,
+//             [N s]
+void spread_evenly(std::span<ContactConstraint> contacts, double sum)
+{
+    const std::vector<ContactConstraint*> face = sliding_face(contacts);
+    if (face.empty()) return;
+    const std::optional<LinearLoad> load = linear_load(face);
+    if (!load || std::any_of(face.begin(), face.end(),
+                             [&](const ContactConstraint* c) { return load->at(c->point) <= 0; }))
+        return;
+    const double larger = sum / (load->mean * static_cast<double>(face.size()));
+    for (ContactConstraint* c : face) {
+        const double before = c->initial_impulse.dot(c->normal),
+                     spread = larger * load->at(c->point);
+        c->initial_impulse = before > 0 ? Vector3d(spread / before * c->initial_impulse)
+                                        : Vector3d(spread * c->normal);
+    }
+}
+
 // Gives the contacts of one pair of bodies their initial impulses. The nearest contacts are matched
 // first; otherwise a contact that carries no load could take the impulse of its neighbor.
 // @param matches  working memory, reused to save allocations; its old content is not used
@@ -82,13 +179,15 @@ std::uint64_t start_pair_warm(std::span<const WarmContact> before, const std::ve
                               std::vector<Match>& matches)
 {
     if (before.empty()) return 0;
-    const auto& [R, X] = poses[contacts.front().body1];
+    const Pose &pose1 = poses[contacts.front().body1], &pose2 = poses[contacts.front().body2];
     matches.clear();
     for (std::size_t k = 0; k < before.size(); ++k) {
-        const Vector3d x = optimised::product(R, before[k].point) + X;
+        const Vector3d x1 = optimised::product(pose1.R, before[k].point1) + pose1.X,
+                       x2 = optimised::product(pose2.R, before[k].point2) + pose2.X;
         for (std::size_t i = 0; i < contacts.size(); ++i) {
+            const Vector3d& x = contacts[i].point;
             const double farthest = near_fraction * contacts[i].radius;
-            const double distance = (x - contacts[i].point).squaredNorm();
+            const double distance = std::min((x1 - x).squaredNorm(), (x2 - x).squaredNorm());
             if (distance <= farthest * farthest) matches.push_back({distance, i, k});
         }
     }
@@ -103,6 +202,11 @@ std::uint64_t start_pair_warm(std::span<const WarmContact> before, const std::ve
         c.initial_impulse = projected_to_cone(c, time_step * before[match.before].mean_force);
         *made++ = match;
     }
+    if (made == matches.begin()) return 0;
+    double sum = 0; // normal impulses [N s]
+    for (const WarmContact& warm : before)
+        sum += time_step * warm.mean_force.dot(contacts.front().normal);
+    spread_evenly(contacts, sum);
     return static_cast<std::uint64_t>(made - matches.begin());
 }
 
@@ -132,9 +236,11 @@ std::vector<WarmContact> warm_contacts(const std::vector<Pose>& poses,
     warm.reserve(contacts.size());
     for (const ContactConstraint& c : contacts) {
         if (c.contact_impulse.isZero(0)) continue;
-        const auto& [R, X] = poses[c.body1];
-        warm.push_back({c.body1, c.body2, R.transpose() * Vector3d(c.point - X),
-                        c.contact_impulse / time_step});
+        const auto in_object_space = [&](const Pose& pose) -> Vector3d {
+            return pose.R.transpose() * Vector3d(c.point - pose.X);
+        };
+        warm.push_back({c.body1, c.body2, in_object_space(poses[c.body1]),
+                        in_object_space(poses[c.body2]), c.contact_impulse / time_step});
     }
     return warm;
 }

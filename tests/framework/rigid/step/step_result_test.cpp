@@ -41,7 +41,7 @@ struct EndOfStep {
 
 WarmContact warm_between(int body1, int body2, double x = 0)
 {
-    return {body1, body2, {x, 0, 0}, {0, 1, 0}};
+    return {body1, body2, {x, 0, 0}, {x, 0, 0}, {0, 1, 0}};
 }
 
 ContactRecord record_between(int body1, int body2, double depth = 0)
@@ -89,7 +89,7 @@ TEST_CASE("step result: the next step starts from the contact impulse in space o
     CHECK(warm.body1 == 2);
     CHECK(warm.body2 == 0);
     // The point half a meter below the center, seen from a body that is turned by 90° about z.
-    CHECK_THAT(warm.point, IsClose(Vector3d(-0.5, 0, 0), Rounding(4, 1)));
+    CHECK_THAT(warm.point1, IsClose(Vector3d(-0.5, 0, 0), Rounding(4, 1)));
     CHECK(warm.mean_force == Vector3d(0, 3 / end.problem.time_step, 0));
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("step result: contacts of refined islands are sorted in between the ot
         records.emplace_back(r.body1, r.body2);
     using Pairs = std::vector<std::pair<int, int>>;
     CHECK(warm == Pairs{{0, 4}, {1, 0}, {1, 2}, {1, 2}, {2, 0}});
-    CHECK(end.result.warm_contacts[2].point.x() == 5); // those of one pair keep their order
+    CHECK(end.result.warm_contacts[2].point1.x() == 5); // those of one pair keep their order
     CHECK(records == Pairs{{7, 0}, {1, 0}, {2, 0}, {1, 2}});
     CHECK(end.world.counters.contacts == 3); // the substeps counted those of refined islands
 }
@@ -171,7 +171,7 @@ TEST_CASE("step result: the world gets its states and its memory and its time", 
     CHECK(end.world.bodies[1].state.position == Vector3d(9, 9, 9));
     CHECK(end.world.bodies[2].state.position == Vector3d(2, 0.5, 0));
     REQUIRE(end.world.memory.warm_contacts.size() == 1);
-    CHECK(end.world.memory.warm_contacts[0].point.x() == 4);
+    CHECK(end.world.memory.warm_contacts[0].point1.x() == 4);
     CHECK(end.world.time == 3.25);
     CHECK(end.world.counters.steps == 1);
     CHECK(records.size() == 1);
