@@ -36,6 +36,8 @@ struct ContactConstraint : Contact {
     //    so that the rotation does not count twice.
     // 4. The contact was solved in the middle of the step (midpoint_contact.hpp). `passes_by` is h
     //    times the mean of v·n over the step, minus h v·n with the v at the end of the step.
+    // 5. The bodies have bounced and flown again under their forces (bounced_flight.hpp), and the
+    //    contact stays open. `passes_by` makes the prediction positive.
     double turning_speed = 0, passes_by = 0;
     double force_speed = 0;        // change of v·n by the forces in this step [m/s]
     double free_speed = 0;         // v·n after the forces, if there were no impulses [m/s]

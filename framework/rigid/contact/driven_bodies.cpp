@@ -198,6 +198,16 @@ void enter_moving_frames(ContactProblem& problem)
     }
 }
 
+bool is_steady_in_frame(const ContactProblem& problem, const Island& island, int body)
+{
+    constexpr double rounding = 1e-9; // relative to the changes of the velocity of the body
+    const DrivenBody* driven = problem.drive_of(body);
+    const MovingFrame own = driven ? frame_of(*driven) : MovingFrame{}, &frame = island.frame;
+    const double most = rounding * (own.mean_minus_first.norm() + own.last_minus_mean.norm());
+    return (own.mean_minus_first - frame.mean_minus_first).norm() <= most &&
+           (own.last_minus_mean - frame.last_minus_mean).norm() <= most;
+}
+
 void leave_unheld_frames(ContactProblem& problem, std::vector<Body>& first)
 {
     for (Island& island : problem.islands)

@@ -29,6 +29,10 @@ namespace rigor {
 /// its contacts.
 void enter_moving_frames(ContactProblem& problem);
 
+/// Whether the velocity of a static or driven body, as seen from the frame of the island, stays the
+/// same during the step.
+bool is_steady_in_frame(const ContactProblem& problem, const Island& island, int body);
+
 /// Returns an island to the world if no driven body gave it an impulse. In a moving frame, the
 /// solver would move bodies in free flight along curves.
 /// @param first  the bodies before the forces

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How deep bodies overlap after a step, and what it is compared with.
+// How deep bodies overlap after a step, and how thick bodies are, with which this depth is
+// compared.
 #pragma once
 
 #include "geometry/shapes/pose.hpp"
@@ -9,8 +10,9 @@
 
 namespace rigor {
 
-/// The largest number of bodies of an island whose step is repeated in parts so that its bodies
-/// overlap less. In a larger island this would take too much time. Chosen by trial.
+/// The largest number of bodies of an island that a step computes more than once: in two parts, so
+/// that its bodies overlap less or bounce at their times of impact, or with another flight under
+/// its forces. In a larger island this would take too much time. Chosen by trial.
 inline constexpr std::size_t most_refined = 32;
 
 /// The smallest extent of a body's thinnest part, without planes [m]. It is infinity if all parts

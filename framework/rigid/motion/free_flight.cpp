@@ -284,4 +284,9 @@ std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, d
     return states;
 }
 
+bool computes_forces_in_stages(Integrator integrator)
+{
+    return integrator == Integrator::runge_kutta || integrator == Integrator::matrix;
+}
+
 } // namespace rigor

@@ -100,4 +100,8 @@ void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, co
 std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,
                                 ThreadPool& pool, std::span<const Wrench> supports = {});
 
+/// Whether an integrator computes forces several times in a step, along the path of the body. One
+/// that does so only once (symplectic Euler) makes no error by a path that contacts change.
+bool computes_forces_in_stages(Integrator integrator_under_forces);
+
 } // namespace rigor

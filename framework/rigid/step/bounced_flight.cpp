@@ -76,7 +76,7 @@ void predict_gaps(const World& world, const std::vector<RigidState>& flown, cons
 BouncedFlight::BouncedFlight(World& world, ContactProblem& problem, const std::vector<bool>& pulled)
     : world_(world)
 {
-    if (!has_stages(world.settings.integrator_under_forces())) return;
+    if (!computes_forces_in_stages(world.settings.integrator_under_forces())) return;
     const std::vector<const Island*> islands = bounced_islands(problem, pulled);
     if (islands.empty()) return;
     bodies_.assign(world.bodies.size(), false);

@@ -4,8 +4,8 @@
 // contacts keep their normals.
 #include "rigid/step/mean_velocity.hpp"
 
+#include "rigid/motion/free_flight.hpp"
 #include "rigid/step/midpoint/midpoint_contact.hpp"
-#include "rigid/step/supported_flight.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,14 +66,14 @@ std::vector<char> moves_by_mean_velocity(const World& world,
     std::vector<char> by_mean(problem.islands.size(), false);
     // Integrators with stages converge with an order above the first even where forces change
     // within a step. The positions of bodies that contacts hold should have a higher order too.
-    if (!has_stages(world.settings.integrator_under_forces())) return by_mean;
+    if (!computes_forces_in_stages(world.settings.integrator_under_forces())) return by_mean;
     for (std::size_t k = 0; k < by_mean.size(); ++k) {
         const Island& island = problem.islands[k];
         switch (solve_at_midpoint(world, after_collisions, flown, island, poses, problem)) {
         case MidpointResult::solved:
             by_mean[k] = true;
             break;
-        case MidpointResult::not_tried:
+        case MidpointResult::unchanged:
             by_mean[k] = holds_along_fixed_normals(problem, island, after_collisions);
             break;
         case MidpointResult::refused:

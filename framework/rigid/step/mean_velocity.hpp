@@ -14,7 +14,7 @@ namespace rigor {
 /// islands if the world's integrator is only of first order under forces.
 ///
 /// @param after_collisions  the bodies after the collision stage, before the forces
-/// @param flown             the states after free flight
+/// @param flown             the states after the flight that the contact stage has used
 /// @param poses             the poses of all bodies at the start of the step
 /// @param problem           the problem after the contact stage; `solve_at_midpoint` changes it
 /// @return for each island, whether its bodies move with this mean

@@ -25,8 +25,8 @@ namespace rigor {
 /// @param flown_again       for each body, whether `states` has its flight after the collisions
 ///                          (bounced_flight.hpp); or an empty list. Such a body keeps this state
 ///                          if it got no impulse in the contact stage.
-/// @param states            the states after free flight; changed for bodies that got an impulse or
-///                          a displacement
+/// @param states            the states after the flight that the contact stage has used; changed
+///                          for bodies that got an impulse or a displacement
 void update_positions(World& world, const ContactProblem& problem, const std::vector<bool>& pulled,
                       const std::vector<Body>& after_collisions, const std::vector<char>& by_mean,
                       const std::vector<Displacement>& displacements,

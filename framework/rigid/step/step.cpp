@@ -4,12 +4,12 @@
 // Bodies that springs pull fly again if they bounce, with their velocities after the collisions,
 // and if contacts hold them, with the forces of the contacts. An island whose contacts move along a
 // curve is solved again with the contacts in the middle of the step. After the positions, single
-// bounces are computed at their exact times. Then the step of an island with too much new overlap
-// is repeated in two halves. The step of an island in which two balls meet is repeated in two
-// parts, before and after the impact, and that of a single body that stops sliding in two parts,
-// before and after that time. If a body may have penetrated another one where the search for
-// contacts did not look, the step of the whole world is repeated in two halves. Last, islands at
-// rest fall asleep.
+// bounces are computed at their exact times. Then the steps of some
+// islands are repeated in two parts, such as those with too much new overlap, or with an impact
+// that decides what follows (substeps/adaptive_substeps.hpp lists the cases). The step of the whole
+// world is repeated in two halves if a body may have penetrated another one where the search for
+// contacts did not look, or if forces are too fast for friction. Last, islands at rest fall
+// asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
@@ -30,6 +30,7 @@
 #include "rigid/step/step_result.hpp"
 #include "rigid/step/substeps/adaptive_substeps.hpp"
 #include "rigid/step/supported_flight.hpp"
+#include "rigid/step/velocity_update.hpp"
 
 namespace rigor {
 

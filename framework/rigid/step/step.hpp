@@ -30,21 +30,26 @@
 //   bounced flight      velocities, forces        flown states,        step/bounced_flight; for
 //                                                 predicted gaps       bodies that bounced and that
 //                                                                      springs or drag pull
-// 4 velocities          flown states              velocities           step/step, `apply_forces`
+// 4 velocities          flown states              velocities           step/velocity_update
 // 5 contact, friction   velocities, gaps          velocities, impulses contact/resting_contact
 //   set drives          drives, velocities        velocities of drives contact/driven_bodies
 //                       before forces
 //   choose contacts     gaps, impulse matrices    target speeds        contact/active_contacts
 //   load estimate       weights (no warm start)   initial impulses     contact/load_estimate
 //   solve               initial impulses          velocities, impulses contact/solvers/
+//   friction limit      forces, impulses          none                 step/supported_flight; if
+//                                                                      forces are too fast for
+//                                                                      friction, the whole step
+//                                                                      runs again in two halves
 //   supported flight    forces, impulses          flown states,        step/supported_flight; for
 //                                                 velocities, impulses bodies that contacts hold
 //                                                                      and springs or drag pull
 //   solve again         contacts in mid-step      velocities, impulses step/mean_velocity,
 //                                                 contacts             step/midpoint/
 // 6 position correction gaps, velocities          displacements        contact/position_correction
-//   leave frames        impulses, frames          velocities           contact/driven_bodies
+//   leave unheld frames impulses, frames          velocities           contact/driven_bodies
 // 7 positions           velocities, displacements states               step/position_update
+//   leave frames        frames                    velocities           contact/driven_bodies
 // 8 refine              states, contacts, memory  states, records      step/impact,
 //                                                                      step/substeps/
 //   missed contacts     flown states, states,     none                 step/missed_contacts; if

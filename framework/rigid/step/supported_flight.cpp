@@ -10,6 +10,7 @@
 #include "rigid/motion/forces.hpp"
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/midpoint/middle_of_step.hpp"
+#include "rigid/step/velocity_update.hpp"
 
 #include <algorithm>
 
@@ -172,11 +173,6 @@ std::vector<Displacement> bends_of(const World& world, ContactProblem& problem,
 
 } // namespace
 
-bool has_stages(Integrator integrator)
-{
-    return integrator == Integrator::runge_kutta || integrator == Integrator::matrix;
-}
-
 Displacement displacement_between(const RigidState& a, const RigidState& b)
 {
     Quaternion turn = multiply(b.orientation, conjugate(a.orientation));
@@ -184,15 +180,6 @@ Displacement displacement_between(const RigidState& a, const RigidState& b)
     const double sine = turn.v.norm();
     const double angle = 2 * std::atan2(sine, turn.s);
     return {b.position - a.position, sine > 0 ? Vector3d(angle / sine * turn.v) : 2 * turn.v};
-}
-
-void apply_forces(const World& world, const Island& island, const std::vector<Body>& first,
-                  const std::vector<RigidState>& flown, ContactProblem& problem)
-{
-    for (int i : island.bodies) {
-        problem.bodies[i] = with_forces(first[i], world.bodies[i].state, flown[i]);
-        problem.bodies[i].velocity -= island.frame.change();
-    }
 }
 
 bool is_too_long_for_friction(const World& world, ContactProblem& problem,
@@ -210,7 +197,7 @@ std::optional<SupportedFlight> fly_supported(World& world, ContactProblem& probl
                                              const std::vector<bool>& pulled,
                                              const std::vector<RigidState>& flown)
 {
-    if (!has_stages(world.settings.integrator_under_forces())) return std::nullopt;
+    if (!computes_forces_in_stages(world.settings.integrator_under_forces())) return std::nullopt;
     if (std::none_of(pulled.begin(), pulled.end(), [](bool is_pulled) { return is_pulled; }))
         return std::nullopt;
     const std::vector<const Island*> islands = supported_islands(problem, pulled);

@@ -23,8 +23,8 @@ struct SupportedFlight {
 };
 
 /// Whether the time step is too long for friction: springs, applied forces or drag act on an island
-/// that friction holds, and they may reverse its motion more than once within the step. Friction,
-/// which is constant in a step, could add energy then.
+/// with friction, and the fastest forces of the world may reverse a motion within the step, even
+/// where they act on other bodies. Friction, which is constant in a step, could add energy then.
 /// @param pulled  for each body, whether springs, applied forces or drag act on it
 bool is_too_long_for_friction(const World& world, ContactProblem& problem,
                               const std::vector<bool>& pulled);
@@ -44,24 +44,15 @@ bool is_too_long_for_friction(const World& world, ContactProblem& problem,
 /// @param problem  the velocities and impulses of these islands are replaced
 /// @param first    the bodies before the forces
 /// @param pulled   for each body, whether springs, applied forces or drag act on it
+/// @param flown    the states after free flight, or after the flight that follows a bounce
+///                 (bounced_flight.hpp)
 /// @return nothing if there is no such island
 std::optional<SupportedFlight> fly_supported(World& world, ContactProblem& problem,
                                              const std::vector<Body>& first,
                                              const std::vector<bool>& pulled,
                                              const std::vector<RigidState>& flown);
 
-/// Whether an integrator computes forces several times in a step. One that does so only once
-/// (symplectic Euler) makes no error by a path that contacts change.
-bool has_stages(Integrator integrator_under_forces);
-
 /// The displacement from the pose of the state `a` to that of `b`.
 Displacement displacement_between(const RigidState& a, const RigidState& b);
-
-/// Gives the bodies of an island their velocities after the forces. In a moving frame
-/// (contact/driven_bodies.hpp), the fictitious force is added.
-/// @param first  the bodies before the forces
-/// @param flown  the states after the forces alone
-void apply_forces(const World& world, const Island& island, const std::vector<Body>& first,
-                  const std::vector<RigidState>& flown, ContactProblem& problem);
 
 } // namespace rigor

@@ -141,9 +141,7 @@ std::optional<Vector3d> even_shift(const PairSearch& search, const std::vector<C
     std::vector<Pose> quarter = poses;
     for (const int i : {search.lowest().body1, search.lowest().body2}) {
         const RigidBody& body = search.world.bodies[i];
-        if (body.drive)
-            quarter[i] = pose_of(driven_state(*body.drive, search.world.time + half / 2));
-        else if (!body.is_static)
+        if (!body.is_static || body.changes_place())
             quarter[i] = halfway(pose_of(body.state), poses[i]);
     }
     const std::vector<Contact> before = search.found(quarter, half / 2);

@@ -7,6 +7,7 @@
 #include "rigid/step/midpoint/middle_of_step.hpp"
 
 #include "rigid/bodies/orientation.hpp"
+#include "rigid/contact/driven_bodies.hpp"
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/midpoint/held_contacts.hpp"
 
@@ -30,15 +31,20 @@ bool has_mesh(const RigidBody& body)
                        [](const Part& part) { return std::holds_alternative<Mesh>(part.shape); });
 }
 
-// Whether a body has a drive that is a belt, or that is anything but a motion along a line or a
-// rotation about a fixed axis, with a constant velocity during the whole step.
-bool is_driven_unevenly(const RigidBody& body, double time, double time_step)
+// Whether a drive starts or ends within the step.
+bool changes_within(const Drive& drive, double time, double time_step)
 {
-    if (!body.drive) return false;
-    const Drive& d = *body.drive;
-    const bool moves_and_turns = !d.velocity.isZero(0) && !d.angular_velocity.isZero(0);
-    return d.is_belt || moves_and_turns || !d.amplitude.isZero(0) || d.start > time ||
-           d.end < time + time_step;
+    const auto is_within = [&](double t) { return t > time && t < time + time_step; };
+    return is_within(drive.start) || is_within(drive.end);
+}
+
+// Whether the contacts of an island with a static or driven body can be moved to the middle of the
+// step. In the frame of the island, this body moves along a line or turns at a constant velocity.
+bool is_steady(const World& world, const ContactProblem& problem, const Island& island, int ground)
+{
+    const auto& drive = world.bodies[ground].drive;
+    return is_steady_in_frame(problem, island, ground) &&
+           !(drive && changes_within(*drive, world.time, problem.time_step));
 }
 
 bool is_suitable(const World& world, const ContactProblem& problem, const Island& island)
@@ -54,8 +60,8 @@ bool is_suitable(const World& world, const ContactProblem& problem, const Island
         const ContactConstraint& lowest = problem.contacts[pair.first];
         for (const int i : {lowest.body1, lowest.body2}) {
             const RigidBody& body = world.bodies[i];
-            if (has_mesh(body) || is_driven_unevenly(body, world.time, problem.time_step))
-                return false;
+            if (has_mesh(body)) return false;
+            if (body.is_static && !is_steady(world, problem, island, i)) return false;
             is_grounded |= body.is_static;
         }
     }
@@ -103,9 +109,9 @@ std::vector<HeldContact> held_contacts(const World& world, const ContactProblem&
 }
 
 // Sets the poses of the island's bodies, and of driven bodies that it touches, to those in the
-// middle of the step.
-// @return the bodies of the island in these poses with their velocities at the start of the step,
-//         by their indices in the world
+// middle of the step, as seen from the frame of the island.
+// @return these bodies in these poses with their velocities at the start of the step, by their
+//         indices in the world
 std::map<int, Body> moved_to_the_middle(const World& world, const ContactProblem& problem,
                                         const Island& island, const std::vector<Body>& first,
                                         std::vector<Pose>& poses)
@@ -128,9 +134,13 @@ std::map<int, Body> moved_to_the_middle(const World& world, const ContactProblem
     }
     for (const ContactPair& pair : island.pairs) {
         const ContactConstraint& c = problem.contacts[pair.first];
-        for (const int i : {c.body1, c.body2})
-            if (const auto& drive = world.bodies[i].drive)
-                poses[i] = pose_of(driven_state(*drive, world.time + half));
+        for (const int i : {c.body1, c.body2}) {
+            const auto& drive = world.bodies[i].drive;
+            if (!drive || drive->is_belt || moved.contains(i)) continue;
+            Body& body = moved[i] = first[i];
+            body.position += half * problem.drive_of(i)->mean.linear;
+            poses[i] = {pose_of(driven_state(*drive, world.time + half)).R, body.position};
+        }
     }
     return moved;
 }
@@ -146,8 +156,8 @@ bool moves_along_a_body(const ContactConstraint& start, const Contact& middle, c
 {
     const double least = least_change * start.radius;
     return std::any_of(moved.begin(), moved.end(), [&](const auto& entry) {
-        const int i = entry.first;
-        if (i != start.body1 && i != start.body2) return false;
+        const auto& [i, body] = entry;
+        if (body.is_static() || (i != start.body1 && i != start.body2)) return false;
         const auto& [R, X] = poses[i];
         const Pose first = pose_of(world.bodies[i].state);
         const Vector3d r = start.point - first.X, r_mid = middle.point - X;
@@ -157,7 +167,7 @@ bool moves_along_a_body(const ContactConstraint& start, const Contact& middle, c
 }
 
 // Sets `v_middle` and `change` of a held contact.
-// @param moved  the bodies of the island in the middle of the step
+// @param moved  the bodies in the middle of the step, see `MiddleOfStep`
 // @return v₁ - v₂ at the contact point of the start of the step, with the velocities after the
 //         contact stage [m/s]
 Vector3d set_velocities(const ContactProblem& problem, const std::vector<Body>& first,
@@ -183,6 +193,12 @@ Vector3d set_velocities(const ContactProblem& problem, const std::vector<Body>& 
     contact.change = std::max(std::abs(contact.v_middle.dot(n) - contact.v_start.dot(c.normal)),
                               std::abs(v_last_middle.dot(n) - v_last.dot(c.normal)));
     return v_last;
+}
+
+// Whether the slip at a contact has another direction at the end of the step than at its start.
+bool turns(const Vector3d& first, const Vector3d& last, double negligible)
+{
+    return first.cross(last).norm() > negligible * std::max(first.norm(), last.norm());
 }
 
 } // namespace
@@ -219,12 +235,16 @@ std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProb
         middle.has_curve |= contact.change > contact.negligible;
         any_shift |= moves_along_a_body(c, contact.middle, world, poses, middle.bodies);
         any_turning_drive |= touches_a_turning_drive(world, c);
-        all_slide &= contact.slides && slip(contact.v_start, c.normal).norm() > contact.negligible;
+        const Vector3d slip_first = slip(contact.v_start, c.normal);
+        all_slide &= contact.slides && slip_first.norm() > contact.negligible;
+        middle.slip_turns |= turns(slip_first, slip(v_last, c.normal), contact.negligible);
         all_stay &= std::max(std::abs(contact.v_start.dot(c.normal)),
                              std::abs(v_last.dot(c.normal))) <= contact.negligible;
     }
     const bool loads_change = any_shift && all_slide && all_stay && held.size() > 1;
-    const bool is_solved_again = middle.has_curve || (any_turning_drive && loads_change);
+    middle.slip_turns &= all_slide && all_stay;
+    const bool is_solved_again =
+        middle.has_curve || (any_turning_drive && loads_change) || middle.slip_turns;
     return is_solved_again ? std::optional(middle) : std::nullopt;
 }
 

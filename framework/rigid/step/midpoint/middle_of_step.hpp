@@ -8,27 +8,33 @@
 
 namespace rigor {
 
-/// The contacts of an island that count in the middle of the step, grouped by pairs of bodies, and
-/// its bodies by their indices in the world. The bodies have their poses in the middle of the step,
-/// but their velocities and angular momenta at the start.
+/// The contacts of an island that count in the middle of the step, grouped by pairs of bodies, its
+/// bodies, and the driven bodies that they touch and that change their place, by their indices in
+/// the world. The bodies have their poses in the middle of the step, but their velocities and
+/// angular momenta at the start.
 struct MiddleOfStep {
     std::vector<HeldContact> contacts;
     std::map<int, Body> bodies;
     // Whether a contact moves along a curve. Otherwise, contacts with driven bodies that turn slide
     // along a body, and their loads change, as below a plank on two rollers.
     bool has_curve = false;
+    // Whether all contacts slide and stay closed, and the slip of one of them turns. Then friction
+    // acts against the mean of the slip at the start and at the end.
+    bool slip_turns = false;
 };
 
 /// Computes the middle of the step for an island whose contacts move along a curve. Contacts count
 /// if they got an impulse, or if a driven body that turns closes them within the step. These
 /// islands are left out: large ones (more than `few_bodies` bodies or 32 contacts), those that
-/// touch no static body, those that have or touch a mesh, and those that touch a belt or a driven
-/// body, unless this body moves along a line or turns about a fixed axis, at a constant velocity.
-/// With the contact methods `one_at_a_time` and `shock_propagation`, all islands are left out.
+/// touch no static body, those that have or touch a mesh, and those that touch a static or driven
+/// body whose velocity changes in the step, as seen from the frame of the island (see
+/// contact/driven_bodies.hpp). With the contact methods `one_at_a_time` and `shock_propagation`,
+/// all islands are left out.
 ///
-/// Also computes it for an island that slides over such driven bodies that turn, if a contact moves
-/// along a body of the island, because the loads on the contacts change then. All contacts have to
-/// slide, stay closed, and move along straight lines.
+/// Also computes it for an island whose contacts all slide, stay closed, and move along straight
+/// lines, in two cases: if the slip of a contact turns, as where a block is kicked across a slope,
+/// or if the island slides over driven bodies that turn and a contact moves along a body of the
+/// island, because the loads on the contacts change then.
 ///
 /// @param first    the bodies after the collision stage, before the forces
 /// @param problem  after the contact stage

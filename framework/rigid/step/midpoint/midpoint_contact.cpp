@@ -85,12 +85,14 @@ struct MidpointProblem {
 };
 
 void add_contact(const ContactProblem& whole, const std::vector<Body>& first,
-                 const HeldContact& contact, const Vector3d& error, MidpointProblem& mid)
+                 const MiddleOfStep& middle, const HeldContact& contact, const Vector3d& error,
+                 MidpointProblem& mid)
 {
     ContactProblem& problem = mid.problem;
     const auto place = [&](int i, const Vector3d& error_of_ground) {
         if (const auto found = mid.places.find(i); found != mid.places.end()) return found->second;
-        Body ground = first[i];
+        const auto moved = middle.bodies.find(i);
+        Body ground = moved == middle.bodies.end() ? first[i] : moved->second;
         ground.velocity = 2 * ground.velocity + error_of_ground;
         ground.angular_velocity *= 2;
         problem.bodies.push_back(ground);
@@ -142,7 +144,7 @@ MidpointProblem midpoint_problem(const ContactProblem& whole, const Island& isla
         problem.bodies.push_back(sum);
     }
     for (std::size_t k = 0; k < errors.size(); ++k)
-        add_contact(whole, first, middle.contacts[k], errors[k], mid);
+        add_contact(whole, first, middle, middle.contacts[k], errors[k], mid);
     split_into_blocks(problem, all);
     return mid;
 }
@@ -155,7 +157,8 @@ Vector3d at_start(const Vector3d& x, const Contact& c, const MiddleOfStep& middl
     Vector3d moved = Vector3d::Zero();
     int count = 0;
     for (const int i : {c.body1, c.body2})
-        if (const auto found = middle.bodies.find(i); found != middle.bodies.end()) {
+        if (const auto found = middle.bodies.find(i);
+            found != middle.bodies.end() && !found->second.is_static()) {
             moved += found->second.position - first[i].position;
             ++count;
         }
@@ -190,6 +193,13 @@ bool any_other_closes(const MidpointProblem& mid, const Island& island,
     return false;
 }
 
+// Whether a contact does not slide in the mean of the step: then its slip reverses its direction.
+bool any_stops(const ContactProblem& mid)
+{
+    return std::any_of(mid.contacts.begin(), mid.contacts.end(),
+                       [&](const ContactConstraint& c) { return mid.holds(c) && !slides(c); });
+}
+
 void take_results(const MidpointProblem& mid, const MiddleOfStep& middle, const Island& island,
                   const std::vector<Body>& first, ContactProblem& problem)
 {
@@ -219,22 +229,26 @@ MidpointResult solve_at_midpoint(const World& world, const std::vector<Body>& fi
                                  std::vector<Pose>& poses, ContactProblem& problem)
 {
     const std::optional<MiddleOfStep> middle = middle_of_step(world, problem, island, first, poses);
-    if (!middle) return MidpointResult::not_tried;
+    if (!middle) return MidpointResult::unchanged;
     std::vector<Vector3d> errors;
     for (const HeldContact& contact : middle->contacts) {
         const std::optional<Vector3d> error = error_of(problem, contact);
-        if (!error) return middle->has_curve ? MidpointResult::refused : MidpointResult::not_tried;
+        if (!error) return middle->has_curve ? MidpointResult::refused : MidpointResult::unchanged;
         errors.push_back(*error);
     }
     std::vector<Body> forced;
-    for (const int i : island.bodies)
+    for (const int i : island.bodies) {
         forced.push_back(with_forces(first[i], world.bodies[i].state, flown[i]));
+        forced.back().velocity -= island.frame.change();
+    }
 
     MidpointProblem mid = midpoint_problem(problem, island, first, forced, *middle, errors);
     std::vector<int> active(mid.problem.contacts.size());
     std::iota(active.begin(), active.end(), 0);
     solve_island(mid.problem, mid.problem.islands.front(), active);
-    if (any_other_closes(mid, island, first, problem)) return MidpointResult::not_tried;
+    if (any_other_closes(mid, island, first, problem) ||
+        (middle->slip_turns && !middle->has_curve && any_stops(mid.problem)))
+        return MidpointResult::unchanged;
     take_results(mid, *middle, island, first, problem);
     return MidpointResult::solved;
 }

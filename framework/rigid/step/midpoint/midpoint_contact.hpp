@@ -8,17 +8,24 @@
 namespace rigor {
 
 enum class MidpointResult {
-    solved,    ///< the island was solved again
-    not_tried, ///< there is no `middle_of_step`, or another contact would close, or no contact
-               ///< moves along a curve but one has just closed, or has just begun to stick
-    refused,   ///< a contact moves along a curve, and one has just closed or begun to stick
+    /// The island was solved again.
+    solved,
+    /// The result of the contact stage stays, in these cases:
+    /// 1. There is no `middle_of_step`.
+    /// 2. No contact moves along a curve, but one has just closed or has just begun to stick.
+    /// 3. With the new result, a contact would close that got no impulse, or the slip of a contact
+    ///    would reverse its direction.
+    unchanged,
+    /// The result of the contact stage stays, although a contact moves along a curve, because a
+    /// contact has just closed or has just begun to stick.
+    refused,
 };
 
 /// Solves the contact stage of an island a second time, with the contacts in the middle of the
 /// step. This is done where contacts move along a curve: for a ball that rolls off another one, a
-/// disk on its rim, a stick that turns about its foot. It is also done where contacts slide along a
-/// body and their loads change, as below a plank on two rollers (middle_of_step.hpp has the
-/// conditions).
+/// disk on its rim, a stick that turns about its foot. It is also done where contacts slide and
+/// their slip turns, or their loads change, as below a plank on two rollers (middle_of_step.hpp has
+/// the conditions).
 ///
 /// If the island is solved again, its bodies get their velocities at the end of the step, and its
 /// contacts get the impulses and normals of the middle of the step. The points of these contacts
@@ -27,7 +34,7 @@ enum class MidpointResult {
 /// the step.
 ///
 /// @param first  the bodies after the collision stage, before the forces
-/// @param flown  the states after free flight
+/// @param flown  the states after the flight that the contact stage has used
 /// @param poses  poses of all bodies at the start of the step; those of the island's bodies and
 ///               those of driven bodies that touch them may be changed
 /// @return what was done; unless it is `solved`, `problem` has not changed

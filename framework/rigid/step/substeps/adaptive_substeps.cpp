@@ -2,10 +2,10 @@
 // Adaptive substeps of single islands. "New overlap" is the increase of the overlap of two bodies
 // in this step. For each pair of bodies, the code first computes a bound of the new overlap, from
 // the bodies' rotation and from the remaining approach speed. The code searches for contacts again
-// only where this bound is too large. An island with too much new overlap is copied into a separate
-// world, with the static bodies near it, and takes two steps of half the length. An island in which
-// two balls meet, or a small one with several bounces, takes one step up to the first impact and
-// one after it. A single body that stops sliding takes one step up to this time and one after it.
+// only where this bound is too large. An island whose step is repeated is copied into a separate
+// world, with the static bodies near it, and takes two steps there: of half the length, up to an
+// impact and after it, or up to the time at which a single body stops sliding and after it. The
+// header lists the cases.
 #include "rigid/step/substeps/adaptive_substeps.hpp"
 
 #include "rigid/detection/overlap_depth.hpp"

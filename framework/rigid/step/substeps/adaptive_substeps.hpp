@@ -9,8 +9,8 @@
 
 namespace rigor {
 
-/// The results of the islands whose step was repeated in parts: the contacts of all parts, and the
-/// impulses for the next warm start.
+/// The results of the islands that repeated their step in two parts: the contacts of both parts,
+/// and the impulses with which the next step starts (contact/warm_start.hpp).
 struct Refinement {
     std::vector<ContactRecord> records;
     std::vector<WarmContact> warm_contacts;
@@ -57,10 +57,10 @@ inline constexpr int most_divisions_of_sliding = 2;
 /// In cases 2 and 3, a bounce does not count if `bounce_at_impacts` (impact.hpp) has already moved
 /// it to its time of impact.
 ///
-/// An island is refined only if it has at most 32 bodies. If springs, applied forces or drag act on
-/// it, only the cases 5 to 7 count. Bodies that springs connect with it move with it; it is not
-/// refined if one of them is in another island or may touch one, or if a deformable solid presses
-/// on one of them.
+/// An island is refined only if it has at most `most_refined` bodies (overlap_depth.hpp). If
+/// springs, applied forces or drag act on it, only the cases 5 to 7 count. Bodies that springs
+/// connect with it move with it; it is not refined if one of them is in another island or may touch
+/// one, or if a deformable solid presses on one of them.
 ///
 /// @param world    only its counters change
 /// @param problem  the impulses of repeated islands are set to zero in it

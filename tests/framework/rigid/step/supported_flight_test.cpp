@@ -8,6 +8,7 @@
 #include "rigid/detection/contact_candidates.hpp"
 #include "rigid/motion/forces.hpp"
 #include "rigid/motion/free_flight.hpp"
+#include "rigid/step/velocity_update.hpp"
 #include "support/catch.hpp"
 #include "support/close.hpp"
 
