@@ -139,8 +139,8 @@ void add_angular_momentum(Deformable& solid, const std::vector<char>& is_near, c
             I += solid.masses[i] * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
         }
     const Vector3d w = I.ldlt().solve(L);
-    // Nodes that lie on one line have no inertia about it, so w may be infinite. Nothing is added
-    // then.
+    // Nodes that lie on one line have no inertia about it, and w may not be finite. Then no
+    // rotation is added.
     if (!w.allFinite()) return;
     for (std::size_t i = 0; i < is_near.size(); ++i)
         if (is_near[i]) solid.velocities[i] += w.cross(solid.positions[i] - center);

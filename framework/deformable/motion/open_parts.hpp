@@ -6,10 +6,10 @@
 
 namespace rigor {
 
-/// The parts are the pieces of the solid between which the matrix has no block. A part is open if
-/// the next solve includes it. After the first solve, only parts whose contacts or plastic flow
-/// have changed are opened again. If one of them touches a rigid body that has joined the system
-/// (joined_bodies.hpp), all parts that touch any of these bodies are opened too.
+/// The parts are the connected pieces of the solid: no block of the matrix joins two of them. A
+/// part is open if the next solve includes it. After the first solve, only parts whose contacts or
+/// plastic flow have changed are opened again. If an open part touches a rigid body that has joined
+/// the system (joined_bodies.hpp), all parts that touch any such body are opened too.
 class OpenParts {
 public:
     /// Opens all parts of a system.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A rod that falls with its tip on a smooth floor: the tip at r = L/2 (cos α, -sin α) gets the
-// impulse (1 + ε) v/(1/M + (L/2)² cos² α/I), which turns the rod and leaves its center
-// v' = -v + j/M (Whittaker, "Analytical dynamics", § 96).
+// A rod without spin falls at the speed v and hits a smooth floor with its tip. The tip is at
+// r = L/2 (cos α, -sin α) from the center, where α is the angle between the rod and the floor. It
+// gets the impulse j = (1 + ε) v/(1/M + (L/2)² cos² α/I), which turns the rod. Afterwards, the
+// upward velocity of the center is -v + j/M (Whittaker, "Analytical dynamics", § 96).
 #include "classics/problems.hpp"
 
 using namespace rigor;

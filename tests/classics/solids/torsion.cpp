@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A square bar that is twisted by θ bears the moment 0.1406 G a⁴ θ/L, less than by the polar moment
+// A bar of length L and shear modulus G, whose section is a square with the side a, is twisted by
+// the angle θ. It bears the moment 0.1406 G a⁴ θ/L. This is less than G θ/L times the polar moment
 // a⁴/6, since its sections warp (Saint-Venant 1855; Timoshenko, "Theory of elasticity", § 109). The
-// energy, ½ 0.1406 G a⁴ θ²/L, is met from above: a coarse mesh and ends that may not warp are
-// stiffer.
+// computed energy is larger than the exact one, ½ 0.1406 G a⁴ θ²/L, and converges to it: a coarse
+// mesh, and ends that are held flat, are stiffer.
 #include "classics/problems.hpp"
 #include "support/deformables.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A clock that stands still, in place of that of the C library. The build makes it local to this
-// file.
+// A clock that stands still, in place of that of the C library. The build hides it from all
+// other files.
 // expect: 1 passed
 #include "formulas/pipeline.hpp"
 
