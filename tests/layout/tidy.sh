@@ -37,8 +37,8 @@ for folder in framework reference tests/support; do
     [[ ! -d $folder ]] || folders+=("$folder")
 done
 
-# Lists the sources that differ from a commit. A changed header is checked through the sources that
-# include it.
+# Lists the sources that differ from a commit. A changed header is checked through the source of its
+# name or, without one, through one of the sources that include it; `--all` reads the others.
 changed_sources() {
     local file
     git diff --name-only --diff-filter=d "$1" -- "${folders[@]}" >"$work/changed"
@@ -46,7 +46,14 @@ changed_sources() {
     while read -r file; do
         case $file in
         *.cpp) echo "$file" ;;
-        *.hpp) grep -rlF --include='*.cpp' "\"${file#*/}\"" "${folders[@]}" || true ;;
+        *.hpp)
+            if [[ -e ${file%.hpp}.cpp ]]; then
+                echo "${file%.hpp}.cpp"
+            else
+                { grep -rlF --include='*.cpp' "\"${file#*/}\"" "${folders[@]}" || true; } |
+                    sort | sed -n 1p
+            fi
+            ;;
         esac
     done <"$work/changed" | sort -u
 }
