@@ -197,4 +197,13 @@ TEST_CASE("collision: between two static bodies there is no impulse", "[A4.9][co
                      IsExactly(Vector3d(0, 0, 0)));
 }
 
+TEST_CASE("collision: without restitution an impulse may add energy", "[A4.9][collision]")
+{
+    // jₙ = 2/(4 - 1.75 · 2) = 4, and j·v + ½ j·K j = -22 + 49.5 > 0 (Kane 1984)
+    Matrix3d K;
+    K << 3, 2, 2, 2, 4, 1, 2, 1, 2;
+    REQUIRE_THAT(collision_impulse(K, {2, -2, 0}, {0, 1, 0}, 0, 1.75),
+                 IsClose(Vector3d(-7, 4, 0), Rounding(64, 8)));
+}
+
 } // namespace rigor::testing

@@ -190,6 +190,20 @@ TEST_CASE("collision: whatever the friction a sliding impulse is in the cone", "
     }
 }
 
+TEST_CASE("collision: a large friction makes a small coupling count", "[A4.8][collision]")
+{
+    // nᵀ K (n - μ T) = 1 - μ K_nT = 1/2
+    for (int power = 0; power <= 40; power += 4) {
+        const double friction = std::ldexp(1, power);
+        CAPTURE(friction);
+        Matrix3d K = Matrix3d::Identity();
+        K(0, 1) = K(1, 0) = 0.5 / friction;
+        const Vector3d j = sliding_friction_impulse(K, {1, -1, 0}, {0, 1, 0}, 0, friction);
+        REQUIRE_THAT(j, IsClose(Vector3d(-2 * friction, 2, 0), Rounding(64, 2 * friction)));
+        REQUIRE_THAT(j.y(), IsClose(2.0, Rounding(64, 2)));
+    }
+}
+
 TEST_CASE("collision: a sliding impulse turns with the scene", "[A4.8][collision]")
 {
     for (unsigned seed : seeds(50)) {

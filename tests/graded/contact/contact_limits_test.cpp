@@ -54,6 +54,33 @@ TEST_CASE("contact: bodies that hardly approach are stopped", "[A5.2][contact]")
     }
 }
 
+TEST_CASE("contact: one at a time a body that is far heavier is pushed too", "[A5.2][contact]")
+{
+    for (const double mass : {1e3, 1e6, 1e9, 1e12, 1e15}) {
+        CAPTURE(mass);
+        const Bodies bodies = {block(mass), block(1, {0, -1, 0}, {0, 0.1, 0})};
+        const ContactResult result = resolve_contacts(bodies, {touch(1, 0, 0.01)}, 1);
+        const double j = mass / (1 + mass);
+        REQUIRE_THAT(result.impulses[0], IsClose(Vector3d(0, j, 0), Rounding(32)));
+        REQUIRE_THAT(result.bodies[0].velocity, IsClose(Vector3d(0, -j / mass, 0), Rounding(32)));
+    }
+}
+
+TEST_CASE("contact: one at a time the separation speed is reached to the last digits",
+          "[A5.2][contact]")
+{
+    for (const double s : {-10., -1e-3})
+        for (int power = 4; power <= 40; power += 4) {
+            CAPTURE(s, power);
+            const double missing = std::ldexp(-s, -power);
+            ContactCase problem = ball_on_belt(-s + missing, 0);
+            problem.contacts[0].separation_speed = s;
+            const ContactResult result = resolve_contacts(problem.bodies, problem.contacts, 1);
+            REQUIRE_THAT(result.impulses[0],
+                         IsClose(Vector3d(0, missing, 0), Rounding(32, std::abs(s))));
+        }
+}
+
 TEST_CASE("contact: simultaneously bodies that hardly approach are stopped", "[A5.5][contact]")
 {
     for (const double speed : {1e-3, 1e-6, 1e-9, 1e-12}) {

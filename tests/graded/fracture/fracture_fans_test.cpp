@@ -40,6 +40,12 @@ TEST_CASE("fracture: a vertex has as many copies as groups of tetrahedra", "[A7.
         });
 }
 
+TEST_CASE("fracture: two thousand tetrahedra around an edge stay together", "[A7.5][fracture]")
+{
+    const TetrahedralMesh ring = ring_around_edge(2000);
+    check_count(vertex_count(split_along_faces(ring, {}).mesh), vertex_count(ring), "vertices");
+}
+
 TEST_CASE("fracture: a plane along an edge cuts any number of tetrahedra around it",
           "[A7.6][fracture]")
 {

@@ -75,6 +75,20 @@ TEST_CASE("fracture: the nearest face of flat and of tiny tetrahedra", "[A7.4][f
     }
 }
 
+TEST_CASE("fracture: a face as thin as a hair has a normal", "[A7.4][fracture]")
+{
+    for (int power = 0; power <= 46; power += 2)
+        for (int apex = 0; apex < 4; ++apex) { // the face opposite to it is thin, with the normal z
+            CAPTURE(power, apex);
+            std::array<Vector3d, 4> x;
+            x[apex] = {0.5, 0, -1};
+            x[(apex + 1) % 4] = {0, 0, 0};
+            x[(apex + 2) % 4] = {1, 0, 0};
+            x[(apex + 3) % 4] = {0.5, std::ldexp(1, -power), 0};
+            REQUIRE_THAT(closest_face(x, {0, 0, 1}), IsExactly(apex));
+        }
+}
+
 TEST_CASE("fracture: the foot of a needle is a face like any other", "[A7.4][fracture]")
 {
     // The normal of the foot is z. Of the long faces, two have the normals x and y.

@@ -78,6 +78,20 @@ TEST_CASE("inertia: a bounding box may have its center near the origin", "[A2.17
         }
 }
 
+TEST_CASE("inertia: a bounding box of any size on one side of the origin", "[A2.17][inertia]")
+{
+    for (int power = -60; power <= 60; power += 10)
+        for (const double side : {-1., 1.}) {
+            const double length = side * std::pow(10., power);
+            CAPTURE(length);
+            const Vector3d near = length * Vector3d(1, 2, 3), far = length * Vector3d(2, 4, 6);
+            const MassProperties box = bounding_box_mass_properties({near, far}, 12);
+            REQUIRE_THAT(box.center_of_mass, IsClose(Vector3d(1.5 * near), Rounding(8)));
+            const Vector3d moments = length * length * Vector3d(13, 10, 5);
+            REQUIRE_THAT(box.inertia, IsClose(Matrix3d(moments.asDiagonal()), Rounding(32)));
+        }
+}
+
 TEST_CASE("inertia: only the bounds of the vertices matter", "[A2.17][inertia]")
 {
     for (Random random : seeds(100)) {

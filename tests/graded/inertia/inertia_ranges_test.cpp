@@ -106,6 +106,37 @@ TEST_CASE("inertia: boxes as thin as a leaf have mass and moments", "[A2.7][iner
     }
 }
 
+// Solids so large or small that a power of a length above the square overflows or underflows, with
+// a density that makes the mass and the moments ordinary numbers for a double.
+TEST_CASE("inertia: a ball whose fifth power is no double", "[A2.6][inertia]")
+{
+    for (const double r : {1e62, 1e-65}) {
+        CAPTURE(r);
+        const double M = 4. / 3 * pi;
+        const MassProperties ball = solid_sphere(1 / (r * r) / r, r);
+        REQUIRE_THAT(ball.mass, IsClose(M, Rounding(32)));
+        REQUIRE_THAT(ball.inertia,
+                     IsClose(Matrix3d(0.4 * M * (r * r) * Matrix3d::Identity()), Rounding(64)));
+    }
+}
+
+TEST_CASE("inertia: a cylinder whose fourth power is no double", "[A2.8][inertia]")
+{
+    const double r = 1e78, l = 2e78, M = 1e-60;
+    const MassProperties cylinder = solid_cylinder(M / (pi * r * r) / l, r, l);
+    REQUIRE_THAT(cylinder.mass, IsClose(M, Rounding(32)));
+    const Vector3d moments = M * r * r * Vector3d(7. / 12, 0.5, 7. / 12);
+    REQUIRE_THAT(cylinder.inertia, IsClose(Matrix3d(moments.asDiagonal()), Rounding(64)));
+}
+
+TEST_CASE("inertia: a rod whose cube is no double", "[A2.10][inertia]")
+{
+    const double l = 1e104, M = 1e-70, across = M * l * l / 12;
+    const MassProperties rod = thin_rod(M / l, l);
+    REQUIRE_THAT(rod.mass, IsClose(M, Rounding(8)));
+    REQUIRE_THAT(rod.inertia.trace(), IsClose(2 * across, Rounding(32)));
+}
+
 TEST_CASE("inertia: cylinders as thin as a leaf have mass and moments", "[A2.8][inertia]")
 {
     for (int power = 0; power <= 15; ++power) {

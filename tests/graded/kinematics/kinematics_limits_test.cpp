@@ -81,6 +81,28 @@ TEST_CASE("kinematics: seen from a body that has turned by a tiny angle, the wor
     }
 }
 
+TEST_CASE("kinematics: a point that is nearly at the center", "[A1.2][kinematics]")
+{
+    // The center has only an x, the point no x.
+    for (int power = 0; power <= 80; power += 2) {
+        const double s = std::ldexp(1, -power);
+        CAPTURE(s);
+        REQUIRE_THAT(world_point(Matrix3d::Identity(), {1, 0, 0}, {0, s, 0}),
+                     IsExactly(Vector3d(1, s, 0)));
+    }
+}
+
+TEST_CASE("kinematics: a point that is nearly at the center, seen from the body",
+          "[A1.3][kinematics]")
+{
+    for (int power = 0; power <= 80; power += 2) {
+        const double s = std::ldexp(1, -power);
+        CAPTURE(s);
+        REQUIRE_THAT(object_point(Matrix3d::Identity(), {1, 0, 0}, {1, s, 0}),
+                     IsExactly(Vector3d(0, s, 0)));
+    }
+}
+
 TEST_CASE("kinematics: the angular velocity of a body that has turned by a tiny angle",
           "[A1.4][kinematics]")
 {

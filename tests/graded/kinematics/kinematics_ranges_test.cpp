@@ -36,6 +36,18 @@ TEST_CASE("kinematics: the cross-product matrix of small vectors", "[A1.1][kinem
         }
 }
 
+TEST_CASE("kinematics: the cross-product matrix has each component, however small",
+          "[A1.1][kinematics]")
+{
+    for (int power = 0; power <= 80; power += 4)
+        for (int i = 0; i < 3; ++i) {
+            CAPTURE(power, i);
+            Vector3d w(1, 1, 1);
+            w[i] = std::ldexp(1, -power);
+            REQUIRE_THAT(cross_matrix(w), IsExactly(star_of(w)));
+        }
+}
+
 TEST_CASE("kinematics: however small its symmetric part is, it has no effect", "[A1.4][kinematics]")
 {
     for (Random random : seeds(10)) {

@@ -126,6 +126,20 @@ template <class T> void put_anywhere(std::vector<T>& list, const T& entry, Rando
 
 } // namespace
 
+TEST_CASE("kinematics: opposite forces with a short lever arm make a small torque",
+          "[A1.8][kinematics]")
+{
+    for (int power = 1; power <= 40; ++power) {
+        const double arm = std::ldexp(1, -power);
+        CAPTURE(arm);
+        for (const Vector3d& X : {Vector3d(0, 0, 0), Vector3d(1, 0, 0)}) {
+            const Wrench found = net_wrench({{{1, 0, 0}, {0, 0, 0}}, {{-1, 0, 0}, {1, arm, 0}}}, X);
+            REQUIRE_THAT(found.force, IsExactly(Vector3d(0, 0, 0)));
+            REQUIRE_THAT(found.torque, IsExactly(Vector3d(0, 0, arm)));
+        }
+    }
+}
+
 TEST_CASE("kinematics: forces of zero change nothing wherever they stand", "[A1.8][kinematics]")
 {
     for (Random random : seeds(60)) {

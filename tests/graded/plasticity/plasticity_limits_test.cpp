@@ -9,6 +9,20 @@
 using namespace rigor;
 using namespace rigor::testing;
 
+TEST_CASE("plasticity: two principal stresses that are nearly equal", "[A6.4][plasticity]")
+{
+    for (int power = 1; power <= 44; ++power)
+        for (int axis = 0; axis < 3; ++axis) {
+            const double s = std::ldexp(1, -power);
+            CAPTURE(s, axis);
+            Vector3d stresses(0, 0, 0);
+            stresses[axis] = 1;
+            stresses[(axis + 1) % 3] = s;
+            REQUIRE_THAT(von_mises(stresses.asDiagonal()),
+                         IsClose(std::sqrt(1 - s + s * s), Rounding(16)));
+        }
+}
+
 TEST_CASE("plasticity: a plastic strain keeps its trace", "[A6.8][plasticity]")
 {
     for (Random random : seeds(50)) {
