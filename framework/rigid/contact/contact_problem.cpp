@@ -31,6 +31,13 @@ double tangential_eigenvalue(const Matrix3d& K, const Vector3d& n)
 
 } // namespace
 
+bool is_at_friction_limit(const ContactConstraint& c, const Vector3d& j)
+{
+    constexpr double rounding = 1e-9;
+    const double j_n = j.dot(c.normal);
+    return (j - j_n * c.normal).norm() >= (1 - rounding) * c.friction * j_n;
+}
+
 std::size_t contact_count(std::span<const ContactPair> pairs)
 {
     return std::accumulate(

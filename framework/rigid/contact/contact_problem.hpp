@@ -52,6 +52,9 @@ struct ContactConstraint : Contact {
     Vector3d initial_impulse = Vector3d::Zero();
 };
 
+/// Whether the friction part of an impulse j on body 1 is at its limit μ j·n, up to rounding.
+bool is_at_friction_limit(const ContactConstraint& contact, const Vector3d& j);
+
 /// A gap of at most this fraction of a contact's radius counts as closed, if the poses are exact up
 /// to rounding. The value is far above the rounding error of a position near the origin.
 inline constexpr double touching_gap = 1e-10;

@@ -76,13 +76,11 @@ struct Match {
     auto operator<=>(const Match&) const = default;
 };
 
-// Whether the impulse from which a contact starts is at its friction limit, up to rounding.
+// Whether a contact has friction and starts from an impulse at the limit of friction.
 bool starts_sliding(const ContactConstraint& c)
 {
-    constexpr double rounding = 1e-9;
-    const double j_n = c.initial_impulse.dot(c.normal);
-    const double j_T = (c.initial_impulse - j_n * c.normal).norm();
-    return j_n > 0 && j_T >= (1 - rounding) * c.friction * j_n;
+    const Vector3d& j = c.initial_impulse;
+    return c.friction > 0 && j.dot(c.normal) > 0 && is_at_friction_limit(c, j);
 }
 
 // The closed contacts of a pair, if they are those of a face that slides: if they are at least

@@ -205,10 +205,7 @@ bool turns(const Vector3d& first, const Vector3d& last, double negligible)
 
 bool slides(const ContactConstraint& c)
 {
-    constexpr double rounding = 1e-9;
-    const double j_n = c.contact_impulse.dot(c.normal);
-    const double j_T = (c.contact_impulse - j_n * c.normal).norm();
-    return j_T >= (1 - rounding) * c.friction * j_n;
+    return is_at_friction_limit(c, c.contact_impulse);
 }
 
 Vector3d velocity_at(const Contact& c, const Body& body1, const Body& body2)
