@@ -44,9 +44,9 @@ Matrix36d velocity_modes(const Vector3d& X, const Vector3d& x);
 /// A1.7 Generalized mass, Sᵀ M S = Σ mᵢ S(xᵢ)ᵀ S(xᵢ), a 6×6 matrix.
 /// Lecture: "Constrained dynamics", "Working it out".
 ///
-/// X is the point to rotate about. It may be any point that moves with the body; V is then its
-/// velocity. The off-diagonal blocks vanish exactly when X is the center of mass. No particle:
-/// zero.
+/// X is the point to rotate about. It may be any point that moves with the body; V is then the
+/// velocity of this point. The off-diagonal blocks are zero if and only if X is the center of mass.
+/// Without particles, the result is zero.
 ///
 /// @param particles  in world space
 Matrix6d generalized_mass(const std::vector<Particle>& particles, const Vector3d& X);
