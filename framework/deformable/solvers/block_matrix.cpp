@@ -96,14 +96,14 @@ void BlockMatrix::assemble(const Elements& elements, const std::vector<ElementSt
         std::array<Vector3d, 4> a; // R ∇N of each corner
         for (int i = 0; i < 4; ++i)
             a[i] = strains[e].R * gradients[i];
-        const double V = factor * elements.volume(e);
+        const double w = factor * elements.volume(e);
         const auto t = elements.nodes(e);
         for (int i = 0, k = 0; i < 4; ++i)
             for (int j = i; j < 4; ++j, ++k) {
-                // K_ij = V (λ aᵢ aⱼᵀ + G aⱼ aᵢᵀ + G aᵢ·aⱼ δ), where V includes h (h + β)
+                // K_ij = w (λ aᵢ aⱼᵀ + G aⱼ aᵢᵀ + G aᵢ·aⱼ δ), with w = h (h + β) V
                 const Matrix3d outer = a[i] * a[j].transpose();
-                Matrix3d K = V * lambda * outer + V * G * outer.transpose();
-                K.diagonal().array() += V * G * outer.trace();
+                Matrix3d K = w * lambda * outer + w * G * outer.transpose();
+                K.diagonal().array() += w * G * outer.trace();
                 Matrix3d& block = blocks_[places_[e][k]];
                 if (t[i] <= t[j])
                     block += K;

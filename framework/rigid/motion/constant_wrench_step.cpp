@@ -56,7 +56,7 @@ Vector3d mean_of_free_rotation(const RigidBody& body, const RigidState& state, d
 }
 
 // Whether the series for the mean angular velocity Ω is exact up to rounding. The first term that
-// the series leaves out is some thousandths of (|I⁻¹| |L| h)⁵.
+// the series leaves out is, relative to Ω, some thousandths of (|I⁻¹| |L| h)⁵.
 bool is_series_exact(const RigidBody& body, const RigidState& state, double h)
 {
     constexpr double most = 1e-3; // [rad]

@@ -113,8 +113,8 @@ EllipticFunctions elliptic_functions(double u, double m1)
     const double limit = (a + b) / 2;
     EllipticFunctions f{std::sin(limit * u), std::cos(limit * u), 1};
     if (f.sn == 0) return f;
-    // Landen's transformation, from the last pair of means back to the first: c = a cn/sn at each
-    // pair (a: arithmetic mean).
+    // Landen's transformation, from the last pair of means back to the first. At each pair,
+    // `slope` is cn/sn, and c is cn/sn times the arithmetic mean of the pair.
     double slope = f.cn / f.sn, c = limit * slope;
     for (; n >= 0; --n) {
         slope *= c;

@@ -83,8 +83,8 @@ Axis best_face(const PlacedBox& a, const PlacedBox& b, const RelativePose& of)
     return best;
 }
 
-// The face of `b` with the largest separation; its index is stored in `axis1`. The direction points
-// towards a.
+// The face of `b` with the largest separation; the index of this axis of `b` is stored in `axis1`.
+// The direction points towards a.
 Axis best_other_face(const PlacedBox& a, const PlacedBox& b, const RelativePose& of)
 {
     Axis best;
@@ -217,8 +217,8 @@ Polygon incident_face(const PlacedBox& box, const Matrix3d& R, const Vector3d& o
 }
 
 // Clips the incident face of `other` against the face of `reference` that `axis` names. Before
-// that, the reference face is extended towards the side from which `other` comes, along each of its
-// edges by the component of the move.
+// that, the reference face is extended towards the side from which `other` comes: along each edge
+// direction, by the component of the move in this direction.
 // @param normal  contact normal, from box 2 to box 1
 // @param move    displacement of `other` relative to `reference` in this step, or zero: then the
 //                face is not extended

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Matches contacts of the start of a step with those of its middle, pair by pair. Most contacts are
-// found near where the bodies carry them. The contacts of a plank on a log, or of a pebble that
-// rocks, move farther than any point of the bodies; they are accepted if they move evenly.
+// found near the point that moves with the bodies. The contacts of a plank on a log, or of a pebble
+// that rocks, move farther than any point of the bodies; they are accepted if they move at a nearly
+// constant velocity.
 #include "rigid/step/midpoint/held_contacts.hpp"
 
 #include "rigid/detection/narrow_phase.hpp"

@@ -234,7 +234,7 @@ constexpr double apart = 1e-6;
 Division first_impact(const World& world, const ContactProblem& problem, const Island& island)
 {
     // A bounce at the start of the step changes the times of the other bounces. So the first
-    // part of the step, with this share of its length, contains only this bounce.
+    // part is this share of the step, which is short enough to contain only this bounce.
     constexpr double alone = 1e-9;
     const auto count = [&](bool (*holds)(const ContactProblem&, const ContactPair&)) {
         return std::count_if(island.pairs.begin(), island.pairs.end(),
