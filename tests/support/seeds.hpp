@@ -47,8 +47,7 @@ private:
     std::optional<Catch::ScopedMessage> message_; // shows the seed of the running case
 };
 
-/// The seeds of a property, n in a row from the run's first seed. Under sanitizers, which take
-/// twenty times as long, a quarter of n.
+/// The seeds of a property, n in a row from the run's first seed.
 Seeds seeds(unsigned n);
 
 /// The first seed of every property: 0, or the run's `--seed`, or the one that `draw_first_seed`

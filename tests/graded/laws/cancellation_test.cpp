@@ -8,6 +8,7 @@
 #include "own_answers.hpp"
 #include "support/in_words.hpp"
 #include "support/seeds.hpp"
+#include "support/sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -167,7 +168,7 @@ template <FormulaIndex f, auto& formula> void check_what_is_left()
 {
     const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
     int lines = 0;
-    for (Random random : seeds(tries)) {
+    for (Random random : seeds(sampled(tries))) {
         Line<f, formula> line(random);
         if (!line.is_usable()) continue;
         if (++lines > enough) break;

@@ -7,6 +7,7 @@
 #include "own_answers.hpp"
 #include "special_arguments.hpp"
 #include "support/seeds.hpp"
+#include "support/sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -54,7 +55,7 @@ constexpr double rounding = 0x1p-41;
 template <FormulaIndex f, auto& formula> void check_smoothness()
 {
     const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
-    for (Random random : seeds(100)) {
+    for (Random random : seeds(sampled(100))) {
         const Arguments<formula> arguments = special_arguments<f, formula>(random);
         const Random path(static_cast<unsigned>(random.bits()));
         const auto place = [&](double t) { return arguments_at(t, arguments, of, path); };
