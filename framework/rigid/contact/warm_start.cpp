@@ -76,7 +76,7 @@ struct Match {
     auto operator<=>(const Match&) const = default;
 };
 
-// Whether a contact has friction and starts from an impulse at the limit of friction.
+// Whether a contact that carries a load has friction and starts from an impulse at its limit.
 bool starts_sliding(const ContactConstraint& c)
 {
     const Vector3d& j = c.initial_impulse;
@@ -84,23 +84,21 @@ bool starts_sliding(const ContactConstraint& c)
 }
 
 // The closed contacts of a pair, if they are those of a face that slides: if they are at least
-// four, with the same normal, and one of them starts at its friction limit. Otherwise the list is
-// empty.
+// four, with the same normal, and all that carry a load start at their friction limits. Otherwise
+// the list is empty.
 std::vector<ContactConstraint*> sliding_face(std::span<ContactConstraint> contacts)
 {
     constexpr std::size_t least_contacts = 4; // the equilibrium determines the loads of fewer
     constexpr double same_normal = 1e-9;      // largest difference of two normals
-    std::vector<ContactConstraint*> face;
-    if (contacts.size() < least_contacts ||
-        std::none_of(contacts.begin(), contacts.end(), starts_sliding))
-        return face;
-    for (ContactConstraint& c : contacts) {
-        const bool is_loaded = !c.initial_impulse.isZero(0);
-        if (c.gap <= nearly_touching_gap * c.radius)
-            face.push_back(&c);
-        else if (is_loaded)
-            return {};
+    if (contacts.size() < least_contacts) return {};
+    for (const ContactConstraint& c : contacts) {
+        if (c.initial_impulse.isZero(0)) continue;
+        const bool is_closed = c.gap <= nearly_touching_gap * c.radius;
+        if (!is_closed || !starts_sliding(c)) return {};
     }
+    std::vector<ContactConstraint*> face;
+    for (ContactConstraint& c : contacts)
+        if (c.gap <= nearly_touching_gap * c.radius) face.push_back(&c);
     const bool is_flat = std::all_of(face.begin(), face.end(), [&](const ContactConstraint* c) {
         return (c->normal - face.front()->normal).norm() <= same_normal;
     });
