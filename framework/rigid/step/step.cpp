@@ -3,13 +3,12 @@
 // collisions, velocities, contact, positions. Free flight and the search for contacts come first.
 // Bodies that springs pull fly again if they bounce, with their velocities after the collisions,
 // and if contacts hold them, with the forces of the contacts. An island whose contacts move along a
-// curve is solved again with the contacts in the middle of the step. After the positions, single
-// bounces are computed at their exact times. Then the steps of some
-// islands are repeated in two parts, such as those with too much new overlap, or with an impact
-// that decides what follows (substeps/adaptive_substeps.hpp lists the cases). The step of the whole
+// curve, or whose slip turns, is solved again with the contacts in the middle of the step. After
+// the positions, single bounces are computed at their exact times. Then the steps of some islands
+// are repeated in two parts, such as those with too much new overlap, or with an impact that
+// decides what follows (substeps/adaptive_substeps.hpp lists the cases). The step of the whole
 // world is repeated in two halves if a body may have penetrated another one where the search for
-// contacts did not look, or if forces are too fast for friction. Last, islands at rest fall
-// asleep.
+// contacts did not look, or if forces are too fast for friction. Last, islands at rest fall asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
