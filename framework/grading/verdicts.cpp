@@ -97,8 +97,6 @@ void Verdicts::take(std::string_view text)
 
 void Verdicts::add(const std::string& status, TestCase&& test)
 {
-    if (status == "vacuous")
-        throw std::runtime_error("the test case '" + test.name + "' checked nothing");
     if (status == "reference_late") late_.insert(tag_);
     if (status == "internal_error" || status == "reference_late") {
         own_failures_.emplace_back(tag_, "in '" + test.name + "': " + test.message);

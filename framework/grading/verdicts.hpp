@@ -26,8 +26,8 @@ public:
     const std::string& open() const { return open_; }
     /// Whether the last line was the one that the test program prints after all test cases.
     bool is_complete() const { return is_complete_; }
-    /// The first error: a line that could not be parsed, a test case that checked nothing, or one
-    /// that stalled twice (see `stalled`). It is empty if there is none.
+    /// The first error: a line that could not be parsed, or a test case that stalled twice (see
+    /// `stalled`). It is empty if there is none.
     const std::string& fault() const { return fault_; }
     /// The test cases in which the framework or the reference failed, not the submission: pairs of
     /// the tag of the task and a sentence. Such a test case counts as failed.

@@ -138,16 +138,17 @@ public:
         for (const fs::path& input : tool.readable)
             let_others_read(input);
         const ConfinedRun linked = run_tool(tool);
+        if (linked.ok() && is_plain_file(out / "worker")) {
+            take_over(out / "worker", worker());
+            return {why_it_does_not_start(worker()), undefined_names(printable(linked.output))};
+        }
         if (linked.timed_out || limit_met(linked.output) == ToolLimit::time)
             return {fmt::format("cannot be linked: took longer than {} s\n", link_limit), {}};
         if (limit_met(linked.output) == ToolLimit::file_size)
             return {fmt::format("cannot be linked: expected a program of at most {} MB\n",
                                 largest_worker() >> 20),
                     {}};
-        if (!linked.ok() || !is_plain_file(out / "worker"))
-            return {"cannot be linked:\n" + shown_errors(linked.output), {}};
-        take_over(out / "worker", worker());
-        return {why_it_does_not_start(worker()), undefined_names(printable(linked.output))};
+        return {"cannot be linked:\n" + shown_errors(linked.output), {}};
     }
 
 private:

@@ -109,6 +109,8 @@ void take_compile(Toolchain& tools, const std::string& command)
         tools.compile.insert(tools.compile.end(), {"-include", queries});
     // With -pipe the assembler reads from a pipe, so its messages do not name a temporary file.
     tools.compile.emplace_back("-pipe");
+    // The same file gives the same result at any time, so it cannot ask for the time (__TIME__).
+    tools.compile.emplace_back("-Werror=date-time");
     // A file that includes itself could cause endless errors. Clang limits their number by itself.
     if (!is_clang) tools.compile.emplace_back("-fmax-errors=20");
 }

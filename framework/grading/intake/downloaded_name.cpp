@@ -10,15 +10,17 @@ namespace rigor {
 
 std::optional<DownloadedName> downloaded_name(const std::string& name)
 {
-    // The student's own name for the file comes last, and may look like anything. So what the
-    // system has written is the first that looks like it: `.+?` is as short as possible, and the
-    // name from Canvas, which is over after three underscores, is tried first.
+    // The student's own name for the file comes last, and may look like anything. The name from
+    // Canvas, which is over after three underscores, is tried first. In Moodle students may choose
+    // their own names too. So if Moodle's words stand there twice, nobody can tell which are
+    // Moodle's.
     static const std::regex canvas("^([^_]+)_(?:LATE_)?([0-9]+)_[0-9]+_(.*)$"),
         moodle("^(.+?)_([0-9]+)_assignsubmission_(file|onlinetext)(?:_(.*))?$");
     std::smatch parts;
     if (std::regex_match(name, parts, canvas))
         return DownloadedName{LearningSystem::canvas, parts[1], parts[2], parts[3], false};
-    if (std::regex_match(name, parts, moodle))
+    if (std::regex_match(name, parts, moodle) &&
+        parts[4].str().find("_assignsubmission_") == std::string::npos)
         return DownloadedName{LearningSystem::moodle, parts[1], parts[2], parts[4],
                               parts[3] == "onlinetext"};
     return {};

@@ -26,7 +26,8 @@ struct DownloadedName {
 /// `doejane_LATE_4711_99_collision.cpp`. Moodle: `Jane Doe_17_assignsubmission_file` for a folder,
 /// or `Jane Doe_17_assignsubmission_file_collision.cpp` where Moodle makes no folder. The name of a
 /// `Submission`, which lacks the ending of the file, gives the same student. Whatever name the
-/// student gave the file, it does not change which student it is.
+/// student gave the file or, in Moodle, chose as the own name, the result is never another student:
+/// a name with Moodle's words in it twice is none from Moodle.
 std::optional<DownloadedName> downloaded_name(const std::string& name);
 
 /// Whether the student's name for a file is the wanted one. Canvas adds a number when a file is

@@ -57,7 +57,8 @@ Listing listing_of(const fs::path& folder)
 bool holds(const fs::path& folder, const std::string& wanted)
 {
     std::error_code error;
-    return fs::exists(fs::symlink_status(folder / wanted, error));
+    const fs::file_status status = fs::symlink_status(folder / wanted, error);
+    return fs::exists(status) && !fs::is_directory(status);
 }
 
 bool has_wanted_near(const fs::path& folder, const std::string& wanted)

@@ -28,10 +28,11 @@ struct Listing {
 /// Reads the names in a folder. If that is not possible, `error` says why.
 Listing listing_of(const std::filesystem::path& folder);
 
-/// Whether a folder has an entry of this name.
+/// Whether a folder has an entry of this name that is no folder itself. A student may have called a
+/// folder so.
 bool holds(const std::filesystem::path& folder, const std::string& wanted);
 
-/// Whether a folder, or a folder in it, has an entry of this name.
+/// Whether a folder, or a folder in it, `holds` an entry of this name.
 bool has_wanted_near(const std::filesystem::path& folder, const std::string& wanted);
 
 } // namespace rigor

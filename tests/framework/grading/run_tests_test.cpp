@@ -58,16 +58,20 @@ std::string verdict_of(const std::string& tag, const std::string& status)
 // nothing.
 // @param part  a part of the points of the first task; without a law there is none
 // @param followed  the lines if the reference answers in place of the other formulas
+// @param judged  the lines if the reference answers in place of the submission
 Result graded(const std::string& lines, const std::string& ending, bool oracle = false,
-              const PartOfPoints& part = {}, const std::string& followed = "")
+              const PartOfPoints& part = {}, const std::string& followed = "",
+              const std::string& judged = "")
 {
     const TemporaryFolder folder;
     const std::string end = std::string(end_of_all) + "\n", all = lines.empty() ? "" : lines + end;
     folder.write("lines", all);
     folder.write("followed", followed.empty() ? all : followed + end);
+    folder.write("judged", judged.empty() ? all : judged + end);
     const auto script =
         folder.write("tests", "#!/bin/sh\ncd " + folder.path().string() +
-                                  "\ncase \"$*\" in *--others*) cat followed >&3; exit;; esac\n"
+                                  "\ncase \"$*\" in *--others*) cat followed >&3; exit;;"
+                                  " *\"--worker oracle\"*) cat judged >&3; exit;; esac\n"
                                   "cat lines >&3\n" +
                                   ending + "\n");
     std::filesystem::permissions(script, std::filesystem::perms::owner_all);
@@ -297,7 +301,6 @@ TEST_CASE("scoring: a fault of the tests is nobody's zero", "[scoring]")
     is_fault(graded(good, "kill -11 $$"), "died of signal 11");
     is_fault(graded(good + begin_of("A2.2") + "\n", "exit 3"), "gave up in 'topic: a law'");
     is_fault(graded(good + "{\n", "exit 0"), "not a verdict");
-    is_fault(graded(verdict_of("A2.1", "vacuous"), "exit 0"), "checked nothing");
     is_fault(graded(verdict_of("A2.1", "splendid"), "exit 0"), "is no status");
     is_fault(graded(good, "exec sleep 60"), "hung");
     is_fault(graded(good, "echo no such worker >&2; exit 2", true),
@@ -378,11 +381,20 @@ TEST_CASE("scoring: a failure tells no more than its task discloses", "[scoring]
     REQUIRE(score_task(task, tests_with({Status::passed})).score == 2);
 }
 
+namespace {
+
+std::string failed_at_seed(const std::string& tag)
+{
+    std::string line = verdict_of(tag, "failed");
+    return line.replace(line.find("\"seed\":-1"), 9, "\"seed\":17");
+}
+
+} // namespace
+
 TEST_CASE("grading: what fails at random is judged once more with the reference", "[grading]")
 {
-    std::string seeded = verdict_of("A2.1", "failed");
-    seeded.replace(seeded.find("\"seed\":-1"), 9, "\"seed\":17");
-    const std::string lines = seeded + verdict_of("A2.2", "failed") + verdict_of("A2.3", "passed");
+    const std::string lines =
+        failed_at_seed("A2.1") + verdict_of("A2.2", "failed") + verdict_of("A2.3", "passed");
     // The test program writes the same lines for every worker, so also for the reference.
     const Result result = graded(lines, "", true);
     CHECK(result.tasks[0].score == 2);
@@ -390,6 +402,20 @@ TEST_CASE("grading: what fails at random is judged once more with the reference"
     REQUIRE(result.notes.size() == 1);
     CHECK(result.notes[0] == "A2.1: 'topic: a law' does not count, since the reference fails in "
                              "the same random case");
+}
+
+TEST_CASE("grading: a reference that is late or fails itself forgives nothing", "[grading]")
+{
+    const std::string lines =
+        failed_at_seed("A2.1") + verdict_of("A2.2", "passed") + verdict_of("A2.3", "passed");
+    for (const char* status : {"reference_late", "internal_error"}) {
+        CAPTURE(status);
+        const Result result = graded(lines, "", true, {}, "", verdict_of("A2.1", status));
+        CHECK(result.status == SubmissionStatus::graded);
+        CHECK(result.tasks[0].score == 0);
+        CHECK(result.score() == 8);
+        CHECK(result.notes.empty());
+    }
 }
 
 } // namespace rigor::testing

@@ -81,6 +81,16 @@ TEST_CASE("submissions: a folder that could be one or many is refused", "[intake
         REQUIRE(refusal(beside).empty());
 }
 
+TEST_CASE("submissions: a student's folder may have the name of the file", "[intake]")
+{
+    const TemporaryFolder folder;
+    folder.write("collision.cpp/notes.txt", "");
+    folder.write("amy/collision.cpp", "");
+    CHECK(names_of(found_in({folder.path()})) == Names{"amy", "collision.cpp"});
+    folder.write("bob/collision.cpp", "");
+    CHECK(names_of(found_in({folder.path()})) == Names{"amy", "bob", "collision.cpp"});
+}
+
 TEST_CASE("submissions: several paths are each a submission or each hold many", "[intake]")
 {
     const TemporaryFolder folder;
