@@ -71,9 +71,9 @@ std::vector<NumericFormula> numeric(const std::vector<std::function<Formula>>& f
     return all;
 }
 
-/// What the failure of a test case tells of the texts that a student's test throws or prints. Such
-/// a text can quote the calls of a formula with their results, which for the hidden formulas nobody
-/// is to learn.
+/// What the failure of a test case tells of the texts that a student's test throws or prints,
+/// and of the line in which it rejects a formula. They can quote the calls of a formula with their
+/// results, which for the hidden formulas nobody is to learn.
 enum class Texts { told, kept };
 
 /// Fails unless the test accepts each right formula and rejects each wrong one. A test that rejects
