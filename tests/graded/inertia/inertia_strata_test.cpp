@@ -146,7 +146,10 @@ TEST_CASE("inertia: particles near the center count if they are heavy", "[A2.1][
     }
 }
 
-TEST_CASE("inertia: thin matter counts beside dense one", "[A2.11][inertia]")
+namespace {
+
+// A dense sample and a thin one, with the particles that they stand for if each has a volume of ⅛.
+template <class Properties> void check_thin_beside_dense(const Properties& properties_of)
 {
     for (Random random : seeds(5))
         for (int power = 1; power <= 36; ++power) {
@@ -156,8 +159,23 @@ TEST_CASE("inertia: thin matter counts beside dense one", "[A2.11][inertia]")
             std::vector<Particle> particles;
             for (const auto& [position, density] : cells)
                 particles.push_back({density / 8, position});
-            require_mass_properties(grid_mass_properties(cells, 0.5), sum_of(particles), 2, 64);
+            require_mass_properties(properties_of(cells), sum_of(particles), 2, 64);
         }
+}
+
+} // namespace
+
+TEST_CASE("inertia: thin matter counts beside dense one", "[A2.11][inertia]")
+{
+    check_thin_beside_dense(
+        [](const std::vector<DensitySample>& cells) { return grid_mass_properties(cells, 0.5); });
+}
+
+TEST_CASE("inertia: thin samples count beside dense ones", "[A2.12][inertia]")
+{
+    check_thin_beside_dense([](const std::vector<DensitySample>& samples) {
+        return sampled_mass_properties(samples, static_cast<double>(samples.size()) / 8);
+    });
 }
 
 TEST_CASE("inertia: bodies that nearly coincide are still apart", "[A2.14][inertia]")

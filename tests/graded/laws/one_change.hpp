@@ -33,7 +33,7 @@ inline void change_entry(double& x, bool has_sign, Turn& turn)
     if (has_sign && turn()) x = -x;
     if (turn()) x = x == 0 ? 0.5 : 0.75 * x;
     if (turn()) x = x == 0 ? 0.25 : 0;
-    if (turn()) x *= 1 + 0x1p-30; // the same number in single precision
+    if (turn()) x *= 1 + 0x1p-44; // equal in single precision, and for Eigen's `isApprox`
 }
 
 /// Swaps two neighbouring entries, so that their sum and their norm stay.
@@ -58,7 +58,7 @@ inline void change_rotation(Matrix3d& R, Turn& turn)
     if (turn()) R.transposeInPlace();
     if (turn()) R.leftCols<2>() = -R.leftCols<2>();
     if (turn()) R.rightCols<2>() = -R.rightCols<2>();
-    if (turn()) R = Matrix3d(R * Eigen::AngleAxisd(0x1p-30, Vector3d::UnitX()));
+    if (turn()) R = Matrix3d(R * Eigen::AngleAxisd(0x1p-44, Vector3d::UnitX()));
 }
 
 inline void change_symmetric(Matrix3d& A, Turn& turn)

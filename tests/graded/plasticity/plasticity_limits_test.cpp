@@ -92,3 +92,47 @@ TEST_CASE("plasticity: a small change of shape beside a large change of volume c
                              IsClose(expected, Rounding(16, 2 * G * strain.norm())));
             }
 }
+
+// Tensors whose trace is a power of two times their norm, or 0, and their deviators.
+template <class Check> void for_small_traces(const Check& check)
+{
+    for (Random random : seeds(3)) {
+        const Matrix3d s = deviator_of(random_symmetric(random));
+        for (int power = 1; power <= 52; ++power) {
+            CAPTURE(power);
+            const double t = power == 52 ? 0 : std::ldexp(s.norm(), -power);
+            check(Matrix3d(s + t * Matrix3d::Identity()), s);
+        }
+    }
+}
+
+TEST_CASE("plasticity: a trace that is nearly 0 still counts", "[A6.1][plasticity]")
+{
+    for_small_traces([](const Matrix3d& stress, const Matrix3d& s) {
+        REQUIRE_THAT(deviator(stress), IsClose(s, Rounding(16, stress.norm())));
+    });
+}
+
+TEST_CASE("plasticity: a pressure that is nearly 0 is no shear", "[A6.4][plasticity]")
+{
+    for_small_traces([](const Matrix3d& stress, const Matrix3d& s) {
+        REQUIRE_THAT(von_mises(stress), IsClose(mises_of(s), Rounding(16, stress.norm())));
+    });
+}
+
+TEST_CASE("plasticity: a change of volume that is nearly 0 is no shear", "[A6.6][plasticity]")
+{
+    for_small_traces([](const Matrix3d& strain, const Matrix3d& s) {
+        REQUIRE_THAT(von_mises_from_strain(strain, 5),
+                     IsClose(10 * mises_of(s), Rounding(16, 10 * strain.norm())));
+    });
+}
+
+TEST_CASE("plasticity: a pressure that is nearly 0 does not flow", "[A6.8][plasticity]")
+{
+    for_small_traces([](const Matrix3d& stress, const Matrix3d& s) {
+        const Matrix3d expected = mises_of(s) / 12 * std::sqrt(1.5) * s / s.norm();
+        REQUIRE_THAT(plastic_flow(Matrix3d::Zero(), stress, mises_of(s) / 2, 2),
+                     IsClose(expected, Rounding(64, stress.norm())));
+    });
+}

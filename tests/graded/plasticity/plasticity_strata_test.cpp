@@ -20,6 +20,18 @@ TEST_CASE("plasticity: pressure does not change the stress of three principal on
     }
 }
 
+TEST_CASE("plasticity: principal stresses with many digits beside a pressure", "[A6.2][plasticity]")
+{
+    for (Random random : seeds(5))
+        for (int power = 0; power <= 40; ++power) {
+            CAPTURE(power);
+            const double p = std::ldexp(random.uniform(1, 2), power);
+            const Vector3d sigma = Vector3d::Constant(p) + random.vector();
+            REQUIRE_THAT(von_mises_principal(sigma[0], sigma[1], sigma[2]),
+                         IsClose(mises_of(sigma.asDiagonal()), Rounding(16)));
+        }
+}
+
 TEST_CASE("plasticity: nearly equal principal stresses", "[A6.2][plasticity]")
 {
     // σ = (1, 1 + d, 0): 1/√2 √(d² + (1 + d)² + 1)
