@@ -56,7 +56,7 @@ void collide_nodes(Deformable& solid, const std::vector<HeldAxes>& held,
     // within twice `time_step`.
     const double resting_speed = 2 * time_step * rigid.world.settings.gravity.norm();
     for (const NodeContact& c : contacts.all()) {
-        const Vector3d x = solid.positions[c.node], n = c.normal;
+        const Vector3d x = rigid.at_start(c.body, solid.positions[c.node]), n = c.normal;
         const std::optional<FreeNormal> free = free_normal(held[c.node], n);
         const double inverse_mass = free ? 1 / solid.masses[c.node] : 0;
         const Mover& mover = rigid.mover(c.body);

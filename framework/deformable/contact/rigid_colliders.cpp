@@ -65,6 +65,11 @@ void RigidColliders::end_substeps()
     }
 }
 
+Vector3d RigidColliders::at_start(int body, const Vector3d& x) const
+{
+    return x - (surfaces[body].X - world.bodies[body].state.position);
+}
+
 void RigidColliders::push(int body, const Vector3d& point, const Vector3d& impulse)
 {
     const RigidBody& rigid = world.bodies[body];

@@ -11,9 +11,10 @@ namespace rigor {
 
 /// The rigid bodies during a step of the deformable solids.
 ///
-/// As in the step of the rigid bodies, impulses act at the poses of the start of the step, so that
-/// angular momentum is conserved up to rounding errors. Only `surfaces`, to which distances are
-/// measured, move with each substep.
+/// As in the step of the rigid bodies, impulses act at the poses of the start of the step. Only
+/// `surfaces`, to which distances are measured, move with each substep. A point of a moved surface
+/// has to be moved back with the center of its body (`at_start`). Its lever arm is then that of the
+/// substep, so that angular momentum is conserved up to rounding errors.
 class RigidColliders {
 public:
     /// @param world  is not changed: `movers_of` restores the counters that its prediction changes
@@ -36,13 +37,15 @@ public:
     /// Adds to the velocities of the movers the change that their accelerations cause in this time
     /// [s]. A negative time takes such a change back.
     void fall(double time);
-    /// Applies an impulse [N s] at a point of a body (world space) to the mover of the body.
+    /// A point of the surface of a body, moved back with the center of the body to the start of the
+    /// step.
+    Vector3d at_start(int body, const Vector3d& x) const;
+    /// Applies an impulse [N s] at a point of a body (`at_start`) to the mover of the body.
     void push(int body, const Vector3d& point, const Vector3d& impulse);
 
-    /// Prepares the step of the rigid bodies: the impulses of the nodes become forces of this step,
-    /// and bodies that were pushed wake. A body that only nodes support has to move as they do. The
-    /// part of this motion that the integrator of the rigid bodies leaves out is added to the
-    /// position of the body.
+    /// Prepares the step of the rigid bodies: turns the impulses of the nodes into forces of this
+    /// step, and wakes the pushed bodies. A pushed mover that no rigid body supports has to follow
+    /// the nodes. Its bodies are moved here by what the coming step lacks (`lack_of_motion`).
     void apply_to(World& to) const;
     /// Removes the forces that `apply_to` has added. It is called after the step of the rigid
     /// bodies.
