@@ -23,8 +23,8 @@ struct Mover {
     Matrix6d free_mass = Matrix6d::Identity(), mass = Matrix6d::Identity(),
              inverse_mass = Matrix6d::Zero();
     std::vector<Vector3d> supports; // directions of the forces by which rigid bodies support it
-    /// The accelerations by gravity, springs, applied forces and drag, as far as the supports let
-    /// the mover accelerate [m/s², rad/s²].
+    /// The accelerations by gravity, springs, applied forces and drag [m/s², rad/s²], close to 0
+    /// in the directions of the supports.
     Vector3d acceleration = Vector3d::Zero(), angular_acceleration = Vector3d::Zero();
 
     /// Whether other rigid bodies support the mover.

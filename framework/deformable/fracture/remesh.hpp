@@ -22,9 +22,9 @@ namespace rigor {
 /// cracked faces of the solid are transferred.
 void remesh(Deformable& solid, const SplitMesh& split);
 
-/// Replaces the mesh of a solid with virtual nodes, and transfers the state of the solid. The
-/// parent of a new element is the element of the old mesh that contained its material. Handles and
-/// loads act on those copies of their nodes that have material.
+/// Replaces the mesh of a solid by `embedded`, and transfers the state of the solid. The parent of
+/// a new element is the element of the old mesh that contained its material. Handles and loads act
+/// on those copies of their nodes that have material.
 void remesh(Deformable& solid, EmbeddedMesh embedded);
 
 /// The marked faces as a list, each with the index of its element.

@@ -52,8 +52,8 @@ private:
     // The linearized flow in the latest solve, and in the next one; sorted by element.
     std::vector<ElementFlow> flows_, next_;
     std::vector<int> changed_;
-    // Slope of the function that the step minimizes, at the latest velocities along `way_` (see
-    // `backtrack`) [J].
+    // Slope of the minimized function along `way_` at the latest velocities [J]; > 0 beyond the
+    // minimum.
     double excess_ = 0;
     std::vector<Vector3d> way_; // from `guess_` to the latest velocities [m/s]
 };

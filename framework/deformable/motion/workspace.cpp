@@ -21,8 +21,8 @@ bool is_same(const SolidMaterial& a, const SolidMaterial& b)
     return all(a) == all(b);
 }
 
-// Nodes that may be in contact: those on the boundary. With virtual nodes, a corner at which the
-// copy of an element has no material does not count.
+// Nodes that may be in contact: the corners of the boundary faces, without virtual corners
+// (`EmbeddedMesh::real`).
 std::vector<char> surface_nodes(const Deformable& solid,
                                 const std::vector<std::array<int, 4>>& neighbours)
 {

@@ -119,9 +119,9 @@ struct Deformable {
     std::vector<double> inverted_times;
 
     // For each element and face, whether a crack runs along the face, even if its two sides are not
-    // separated yet. The list may be empty if there are no cracks. With virtual nodes, elements and
-    // faces are those of `uncracked`, and the list marks only the faces along which inverted
-    // elements were separated.
+    // separated yet. The list may be empty if there are no cracks. With virtual nodes, it refers to
+    // `uncracked` and marks only the faces at which inverted elements were separated from their
+    // neighbors.
     std::vector<std::array<bool, 4>> crack_faces;
     // For `FractureMethod::elements`: no cut may leave an element with a height, over any of its
     // faces, below this [m]. It is 0 until an element is to be cut for the first time.

@@ -15,7 +15,7 @@ inline constexpr double largest_in_scene = 1e100;
 /// A body's state or mass properties contain a value that is infinite, not a number, or beyond
 /// `largest_in_scene`. The message names the body, the quantity and the time.
 struct NonFiniteState : std::runtime_error {
-    /// @param is_finite  whether the value is finite, and beyond `largest_in_scene`
+    /// @param is_finite  true: finite, but beyond `largest_in_scene`
     NonFiniteState(std::string body_name, std::string quantity_name, double at_time,
                    bool is_finite = false);
 

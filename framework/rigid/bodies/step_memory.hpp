@@ -44,7 +44,7 @@ struct SleepingContact : ContactRecord {
 /// detection/broad_phase writes the pairs. The time for which a body has been at rest is in
 /// `RigidBody::rest`.
 ///
-/// `start_warm` reads the warm contacts. step/substeps/adaptive_substeps copies those of a part of
+/// `start_warm` reads the warm contacts. step/substeps/island_world copies those of a part of
 /// the world. deformable/contact/movers reads them too, also if the warm start is turned off, to
 /// see which bodies lie on each other.
 struct StepMemory {

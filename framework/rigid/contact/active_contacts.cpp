@@ -18,8 +18,9 @@ namespace {
 // creep and never fall asleep.
 constexpr double closed_gap = 2 * resting_overlap;
 
-// The least v·n that the contact must have after the contact stage, without the part by `passes_by`
-// [m/s]. Across a gap, the bodies may approach until they touch at the end of the step.
+// The least v·n that the contact must have after the contact stage, without the part by
+// `gap_correction` [m/s]. Across a gap, the bodies may approach until they touch at the end of the
+// step.
 double target_speed_of(const ContactProblem& problem, const ContactConstraint& c, bool is_in_pile)
 {
     if (c.gap <= 0) return correction_speed(problem, c);
@@ -39,7 +40,7 @@ UninitializedVector<int> activate_contacts(ContactProblem& problem, const Island
                 ContactConstraint& c = problem.contacts[i];
                 if (!(c.normal_K > 0) || !(c.tangential_K > 0)) continue; // neither body can move
                 c.target_speed = target_speed_of(problem, c, is_in_pile);
-                if (c.passes_by != 0) c.target_speed -= c.passes_by / problem.time_step;
+                if (c.gap_correction != 0) c.target_speed -= c.gap_correction / problem.time_step;
                 active.push_back(i);
             }
         return active;

@@ -17,8 +17,8 @@ namespace rigor {
 /// - In a pile (`is_pile`), a gap of at most 2e-4 of the contact's radius counts as closed, and the
 ///   target speed is 0. With the target speed -gap/h, the pile would never come to rest.
 ///
-/// From each of these values passes_by/h is subtracted, because the gap at the end of the step is
-/// larger by `passes_by` than v·n predicts (see `ContactConstraint`).
+/// From each of these values gap_correction/h is subtracted, because the gap at the end of the step
+/// is larger by `gap_correction` than v·n predicts (see `ContactConstraint`).
 UninitializedVector<int> activate_contacts(ContactProblem& problem, const Island& island);
 
 } // namespace rigor

@@ -24,21 +24,21 @@ struct ContactConstraint : Contact {
     // `turning_speed` is the part of v·n by which rotation moves the point towards the other body,
     // ≤ 0 [m/s]. It is set only if this rotation does not close the gap (the front of a rolling
     // wheel) or if the gap already includes the rotation (case 3); otherwise it is 0.
-    // `predicted_gap` adds `passes_by` [m] to gap + h v·n, the gap that v·n predicts for the end of
-    // the step (h: time step). `passes_by` is 0 except in these cases:
-    // 1. The front of a rolling wheel moves down, but also forward, so that it does not reach the
-    //    ground. `passes_by` corrects the prediction for its arc, or leaves out the rotation if the
-    //    point comes to the lowest place of its path within the step.
-    // 2. Two balls fly past each other. `passes_by` is their gap at the end of the step minus the
-    //    prediction gap + h v·n.
+    // `predicted_gap` adds `gap_correction` [m] to gap + h v·n, the gap that v·n predicts for the
+    // end of the step (h: time step). The correction is 0 except in these cases:
+    // 1. The front of a rolling wheel moves down, but also forward, so that it misses the ground.
+    //    The correction adds the bend of the arc or, if the point reaches its lowest place in the
+    //    step, cancels the rotation, because other points follow it.
+    // 2. Two balls fly past each other. The correction is their gap at the end of the step minus
+    //    the prediction gap + h v·n.
     // 3. `gap` belongs to the orientation at the end of free flight (`ContactCandidates::turned`),
-    //    so it already includes the rotation. `passes_by` is -h times the part of v·n by rotation,
-    //    so that the rotation does not count twice.
-    // 4. The contact was solved in the middle of the step (midpoint_contact.hpp). `passes_by` is h
-    //    times the mean of v·n over the step, minus h v·n with the v at the end of the step.
-    // 5. The bodies have bounced and flown again under their forces (bounced_flight.hpp), and the
-    //    contact stays open. `passes_by` makes the prediction positive.
-    double turning_speed = 0, passes_by = 0;
+    //    so it already includes the rotation. The correction is -h times the part of v·n by
+    //    rotation, so that the rotation does not count twice.
+    // 4. The contact was solved in the middle of the step (midpoint_contact.hpp). The correction is
+    //    h times the mean of v·n over the step, minus h v·n with the v at the end of the step.
+    // 5. The bodies have bounced and flown again (bounced_flight.hpp), and the contact is open
+    //    after this flight. The correction raises the prediction to that gap.
+    double turning_speed = 0, gap_correction = 0;
     double force_speed = 0;        // change of v·n by the forces in this step [m/s]
     double free_speed = 0;         // v·n after the forces, if there were no impulses [m/s]
     double target_speed = 0;       // least v·n allowed after the contact stage [m/s]
@@ -159,7 +159,7 @@ struct ContactProblem {
     /// The gap at the end of the step if the contact keeps the normal velocity v_n [m].
     double predicted_gap(const ContactConstraint& contact, double v_n) const
     {
-        return contact.gap + contact.passes_by + time_step * v_n;
+        return contact.gap + contact.gap_correction + time_step * v_n;
     }
     /// v₁ - v₂ at a point [m/s].
     Vector3d velocity_at(const ContactConstraint& contact, const Vector3d& x) const

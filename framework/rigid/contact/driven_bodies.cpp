@@ -88,8 +88,8 @@ MovingFrame choose_frame(const ContactProblem& problem, const Island& island)
     return {};
 }
 
-// Adds to the force speeds of the contacts with static and driven bodies what the fictitious force
-// adds to the displacement in the step, divided by the time step.
+// For contacts with static and driven bodies, adds to `force_speed` the mean change of v·n over the
+// step by the fictitious force of the island's frame.
 // @param sign  1, or -1 to subtract it again
 void add_fictitious_force(ContactProblem& problem, const Island& island, double sign)
 {
@@ -151,7 +151,7 @@ Touching touching(const ContactProblem& problem, std::span<const Body> first, co
     return mean;
 }
 
-// Whether a contact of the island with a driven body got an impulse.
+// Whether a driven body gave the island an impulse.
 bool is_held(const ContactProblem& problem, const Island& island)
 {
     for (const ContactPair& pair : island.pairs) {

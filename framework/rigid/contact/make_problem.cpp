@@ -103,8 +103,9 @@ double sum_of_radii(const RigidBody& body1, const RigidBody& body2)
 
 // Sets `turning_speed` to the part of v·n by which the rotation of rolling bodies moves the point
 // towards the other body. The solver moves the point along a straight line. On this line the point
-// may reach the other body, although its real path, an arc of a circle, does not; then `passes_by`
-// is set too. If the point also reaches the other body on the arc, both values stay 0.
+// may reach the other body, although its real path, an arc of a circle, does not; then
+// `gap_correction` is set too. If the point also reaches the other body on the arc, both values
+// stay 0.
 void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, ContactConstraint& c)
 {
     // The real path of a point bends away from the straight line. The bend is computed for a fixed
@@ -140,7 +141,7 @@ void set_turning(const ContactProblem& problem, bool rolls1, bool rolls2, Contac
         const Vector3d end1 = turn1.cross(r1 + turn1.cross(r1) + bend1),
                        end2 = turn2.cross(r2 + turn2.cross(r2) + bend2);
         const bool still_descends = c.normal.dot(Vector3d(end1 - end2)) < 0;
-        c.passes_by = still_descends ? (1 + bend_tolerance) * bend : -turned;
+        c.gap_correction = still_descends ? (1 + bend_tolerance) * bend : -turned;
     }
     c.turning_speed = turned / problem.time_step;
 }
@@ -163,7 +164,7 @@ struct PairValues {
     }
 };
 
-// Sets `passes_by` if two balls are apart and only pass by each other in free flight. If the
+// Sets `gap_correction` if two balls are apart and only pass by each other in free flight. If the
 // distance of their centers went on falling as fast as at the start of the step, the balls would
 // meet. But in a straight flight the distance falls more and more slowly.
 // @param displacement  of ball 1 relative to ball 2 in the step [m]
@@ -176,7 +177,7 @@ void set_passing(const Vector3d& displacement, const PairValues& pair, ContactCo
     const double nearest = std::clamp(-d.dot(displacement) / (length * length), 0.0, 1.0);
     if ((d + nearest * displacement).norm() - pair.both_radii <= apart) return;
     const double end_gap = (d + displacement).norm() - pair.both_radii;
-    c.passes_by = end_gap - (c.gap + displacement.dot(c.normal));
+    c.gap_correction = end_gap - (c.gap + displacement.dot(c.normal));
 }
 
 // Decides which candidates become contacts of the problem.
@@ -232,7 +233,7 @@ struct Filter {
         ContactConstraint& c = taken.emplace_back(ContactConstraint{contact});
         if (pair.turned1 || pair.turned2) {
             c.turning_speed = std::min(turning, 0.0);
-            c.passes_by = -problem.time_step * turning;
+            c.gap_correction = -problem.time_step * turning;
         } else if (pair.rolls1 || pair.rolls2) {
             set_turning(problem, pair.rolls1, pair.rolls2, c);
         } else if (pair.both_radii > 0 && end_gap < 0) {

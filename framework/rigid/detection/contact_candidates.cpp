@@ -266,8 +266,8 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
     return found;
 }
 
-// Makes `search.turned`: a copy of the poses in which the bodies that roll over their facets
-// (`turns_over_facets`) have their orientations at the end of free flight. Without such bodies it
+// Makes `search.turned`: a copy of all poses, where each body that rolls over its facets
+// (`turns_over_facets`) gets its orientation at the end of free flight. Without such bodies it
 // stays empty.
 void turn_ahead(ContactSearch& search, std::span<const RigidState> flown)
 {

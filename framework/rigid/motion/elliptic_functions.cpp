@@ -18,14 +18,14 @@ namespace {
 
 // The series leave out terms of sixth order. So they are exact up to rounding if the arguments
 // differ from their mean A by at most this fraction of A, (ε/4)^(1/6) with the machine epsilon ε.
-const double spread_left = std::pow(std::numeric_limits<double>::epsilon() / 4, 1.0 / 6);
+const double left_out_spread = std::pow(std::numeric_limits<double>::epsilon() / 4, 1.0 / 6);
 
 // The arithmetic and the geometric mean converge quadratically. If they differ by less than this
 // fraction of the arithmetic mean, half their sum equals their common limit up to rounding.
-constexpr double means_differ = 1e-8;
+constexpr double mean_tolerance = 1e-8;
 // Largest number of rounds in which the two means approach each other. Even the complementary
 // parameter m1 = 1e-300 needs only 11 rounds.
-constexpr int most_means = 20;
+constexpr int most_rounds = 20;
 
 // Largest number of rounds of the duplication. Arguments as far apart as 1 and 1e-300 need at most
 // 13 rounds, unless p of R_J is far larger than x, y and z, which does not occur in
@@ -47,7 +47,7 @@ double carlson_rf(double x, double y, double z)
     const double A0 = (x + y + z) / 3;
     double A = A0, share = 1; // share = 4⁻ⁿ
     const double spread =
-        std::max({std::abs(A0 - x), std::abs(A0 - y), std::abs(A0 - z)}) / spread_left;
+        std::max({std::abs(A0 - x), std::abs(A0 - y), std::abs(A0 - z)}) / left_out_spread;
     const double dx = A0 - x, dy = A0 - y;
     for (int n = 0; n < most_duplications && share * spread > A; ++n) {
         const double sx = std::sqrt(x), sy = std::sqrt(y), sz = std::sqrt(z);
@@ -65,7 +65,7 @@ double carlson_rj(double x, double y, double z, double p)
 {
     const double A0 = (x + y + z + 2 * p) / 5, dx = A0 - x, dy = A0 - y, dz = A0 - z;
     const double spread =
-        std::max({std::abs(dx), std::abs(dy), std::abs(dz), std::abs(A0 - p)}) / spread_left;
+        std::max({std::abs(dx), std::abs(dy), std::abs(dz), std::abs(A0 - p)}) / left_out_spread;
     double A = A0, share = 1, sum = 0; // share = 4⁻ⁿ
     for (int n = 0; n < most_duplications && share * spread > A; ++n) {
         const double sx = std::sqrt(x), sy = std::sqrt(y), sz = std::sqrt(z), sp = std::sqrt(p);
@@ -90,7 +90,7 @@ double carlson_rj(double x, double y, double z, double p)
 double quarter_period(double m1)
 {
     double a = 1, b = std::sqrt(m1);
-    for (int n = 0; n < most_means && a - b > means_differ * a; ++n) {
+    for (int n = 0; n < most_rounds && a - b > mean_tolerance * a; ++n) {
         const double mean = (a + b) / 2;
         b = std::sqrt(a * b);
         a = mean;
@@ -100,12 +100,12 @@ double quarter_period(double m1)
 
 EllipticFunctions elliptic_functions(double u, double m1)
 {
-    std::array<double, most_means> means{}, roots{};
+    std::array<double, most_rounds> means{}, roots{};
     double a = 1, b = std::sqrt(m1);
     int n = 0;
-    for (; n + 1 < most_means; ++n) {
+    for (; n + 1 < most_rounds; ++n) {
         means[n] = a, roots[n] = b;
-        if (!(a - b > means_differ * a)) break;
+        if (!(a - b > mean_tolerance * a)) break;
         const double mean = (a + b) / 2;
         b = std::sqrt(a * b);
         a = mean;

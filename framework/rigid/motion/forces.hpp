@@ -69,8 +69,8 @@ public:
     /// @param now     the time to which `states` belong [s]
     const std::vector<Wrench>& at(std::span<const RigidState> states, double middle, double now);
 
-    /// Whether a spring of the world has damping, or drag acts on a body of the list. If not, the
-    /// wrenches depend only on the poses and on the time.
+    /// Whether a spring of the world has damping, or drag acts on one of the constructor's
+    /// `bodies`. If not, wrenches depend only on poses and time.
     bool depends_on_velocities() const { return depends_on_velocities_; }
 
 private:

@@ -90,13 +90,13 @@ void fly_in_parallel(ThreadPool& pool, std::size_t count, Counters& counters, co
         counters += part;
 }
 
-/// The states of all bodies after a time step without contacts. Bodies on which springs, applied
-/// forces or drag act fly together, all others one by one. Sleeping bodies keep their state, and so
-/// do static ones unless a drive moves or turns them. Only the counters of the world are changed.
+/// The states of all bodies after a time step without contacts. Bodies that are `pulled` are
+/// integrated together, all others one by one. Sleeping bodies keep their state, and so do static
+/// ones unless a drive moves or turns them. In the world, only the counters change.
 ///
-/// @param pulled    for each body, whether springs, applied forces or drag act on it (the result of
-///                  `with_dragged_bodies`), or a wrench of `supports`
-/// @param supports  a constant wrench on each body, by which contacts hold it; or an empty list
+/// @param pulled    for each body, whether springs, applied forces, drag (`with_dragged_bodies`)
+///                  or a wrench of `supports` act on it
+/// @param supports  for each body, the constant wrench of the contacts that hold it; may be empty
 std::vector<RigidState> fly_all(World& world, const std::vector<bool>& pulled, double time_step,
                                 ThreadPool& pool, std::span<const Wrench> supports = {});
 

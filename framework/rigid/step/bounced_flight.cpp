@@ -52,7 +52,7 @@ NormalMotion motion_of(const ContactConstraint& c, const Body& body, const Rigid
     return {(shift + turn.cross(r)).dot(c.normal), last_speed};
 }
 
-// Sets `passes_by` where the flight leaves a bounced contact open.
+// Sets `gap_correction` where the flight leaves a bounced contact open.
 void predict_gaps(const World& world, const std::vector<RigidState>& flown, const Island& island,
                   ContactProblem& problem)
 {
@@ -67,7 +67,7 @@ void predict_gaps(const World& world, const std::vector<RigidState>& flown, cons
             const double opens = first.displacement - second.displacement;
             if (c.gap + opens < 0) continue;
             const double last_speed = first.last_speed - second.last_speed;
-            c.passes_by = std::max(c.passes_by, opens - problem.time_step * last_speed);
+            c.gap_correction = std::max(c.gap_correction, opens - problem.time_step * last_speed);
         }
 }
 

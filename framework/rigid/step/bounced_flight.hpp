@@ -21,7 +21,7 @@ namespace rigor {
 class BouncedFlight {
 public:
     /// @param problem  after the collision stage. If a contact that bounced stays open in the new
-    ///                 flight, its `passes_by` is set so that `predicted_gap` says so.
+    ///                 flight, its `gap_correction` is set so that `predicted_gap` says so.
     /// @param pulled   for each body, whether springs, applied forces or drag act on it
     BouncedFlight(World& world, ContactProblem& problem, const std::vector<bool>& pulled);
     ~BouncedFlight() { restore(); }

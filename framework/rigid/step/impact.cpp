@@ -335,6 +335,9 @@ std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem&
 {
     std::vector<ContactRecord> records;
     for (Island& island : problem.islands) {
+        if (std::none_of(island.pairs.begin(), island.pairs.end(),
+                         [&](const ContactPair& pair) { return bounced(problem, pair); }))
+            continue;
         const auto has_impulse = [&](const ContactPair& pair) {
             return bounced(problem, pair) || carries_load(problem, pair);
         };

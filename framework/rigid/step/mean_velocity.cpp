@@ -58,10 +58,10 @@ bool holds_along_fixed_normals(const ContactProblem& problem, const Island& isla
 
 } // namespace
 
-std::vector<char> moves_by_mean_velocity(const World& world,
-                                         const std::vector<Body>& after_collisions,
-                                         const std::vector<RigidState>& flown,
-                                         std::vector<Pose> poses, ContactProblem& problem)
+std::vector<char> solve_again_at_midpoint(const World& world,
+                                          const std::vector<Body>& after_collisions,
+                                          const std::vector<RigidState>& flown,
+                                          std::vector<Pose> poses, ContactProblem& problem)
 {
     std::vector<char> by_mean(problem.islands.size(), false);
     // Integrators with stages converge with an order above the first even where forces change

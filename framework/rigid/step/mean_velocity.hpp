@@ -18,9 +18,9 @@ namespace rigor {
 /// @param poses             the poses of all bodies at the start of the step
 /// @param problem           the problem after the contact stage; `solve_at_midpoint` changes it
 /// @return for each island, whether its bodies move with this mean
-std::vector<char> moves_by_mean_velocity(const World& world,
-                                         const std::vector<Body>& after_collisions,
-                                         const std::vector<RigidState>& flown,
-                                         std::vector<Pose> poses, ContactProblem& problem);
+std::vector<char> solve_again_at_midpoint(const World& world,
+                                          const std::vector<Body>& after_collisions,
+                                          const std::vector<RigidState>& flown,
+                                          std::vector<Pose> poses, ContactProblem& problem);
 
 } // namespace rigor

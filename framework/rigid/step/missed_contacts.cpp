@@ -82,8 +82,8 @@ private:
         return !body.is_still() && !body.is_ball() && angle_of(i) > far;
     }
 
-    // The angle by which a body that is not still turns [rad]: the larger of the angles that follow
-    // from its angular velocities at the start and at the end.
+    // The angle by which a moving body turns [rad]: the larger of the angles that follow from its
+    // angular velocities at the start and at the end.
     double angle_of(int i) const
     {
         const RigidBody& body = world_.bodies[i];
@@ -222,8 +222,8 @@ private:
 
     // Whether the problem has a contact of the pair on the same side, which keeps the bodies apart
     // on this side. (A body that is a whole room also has walls on other sides.) A contact of two
-    // balls with `passes_by` does not count, because it is correct only if the balls fly past each
-    // other as in free flight.
+    // balls with `gap_correction` does not count, because it is correct only if the balls fly past
+    // each other as in free flight.
     bool is_in_problem(const BodyPair& pair, const Vector3d& normal) const
     {
         const bool are_balls =
@@ -235,7 +235,8 @@ private:
         const UninitializedVector<ContactConstraint>& contacts = problem_.contacts;
         for (auto c = std::lower_bound(contacts.begin(), contacts.end(), pair, is_before);
              c != contacts.end() && pair_of(*c) == pair; ++c)
-            if (are_on_one_side(c->normal, normal) && !(are_balls && c->passes_by > 0)) return true;
+            if (are_on_one_side(c->normal, normal) && !(are_balls && c->gap_correction > 0))
+                return true;
         return false;
     }
 

@@ -135,7 +135,7 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, int divi
     }
     const std::optional<SupportedFlight> supported =
         fly_supported(world, problem, after_collisions, pulled, forced_flight);
-    const std::vector<char> by_mean = moves_by_mean_velocity(
+    const std::vector<char> by_mean = solve_again_at_midpoint(
         world, after_collisions, supported ? supported->forced : forced_flight, candidates.poses,
         problem);
     std::vector<Displacement> displacements = position_corrections(problem);

@@ -5,8 +5,8 @@
 
 namespace rigor {
 
-/// Resolves the active contacts by the formula `resolve_contacts` in ten iterations. If `shock` is
-/// true, this formula may run again with more iterations; then the formulas `contact_levels` and
+/// Resolves the active contacts by ten iterations of the formula `resolve_contacts`. With `shock`,
+/// it starts again with more iterations if bodies still approach fast; then `contact_levels` and
 /// `shock_propagation` follow.
 ///
 /// @param active  indices in `problem.contacts`, at least one

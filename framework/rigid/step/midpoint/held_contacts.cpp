@@ -84,7 +84,8 @@ bool match(const ContactProblem& problem, const std::vector<Body>& first,
             contact.middle.gap = c.gap;
         }
         const double closer = c.gap - contact.middle.gap;
-        contact.is_left = !contact.has_impulse && !(is_found && closer > touching_gap * c.radius);
+        contact.is_left_out =
+            !contact.has_impulse && !(is_found && closer > touching_gap * c.radius);
     }
     return true;
 }
@@ -168,13 +169,13 @@ bool find_middle(const World& world, const ContactProblem& problem, const std::v
     return shift && match(problem, first, contacts, found, *shift, path);
 }
 
-// Sets `is_left` of contacts that the bodies leave behind in the first half of the step. Where a
-// ball crosses the joint between two tiles, both tiles hold it at the same point at the start,
+// Sets `is_left_out` of contacts that the bodies leave behind in the first half of the step. Where
+// a ball crosses the joint between two tiles, both tiles hold it at the same point at the start,
 // but only one of them does so in the middle of the step.
 void mark_left_behind(const ContactProblem& problem, std::span<HeldContact> held)
 {
     const auto is_left_behind = [&](const HeldContact& contact, const HeldContact& other) {
-        if (contact.is_left || other.is_left) return false;
+        if (contact.is_left_out || other.is_left_out) return false;
         const ContactConstraint &c = problem.contacts[contact.index],
                                 &o = problem.contacts[other.index];
         const double negligible = nearly_touching_gap * c.radius;
@@ -185,7 +186,7 @@ void mark_left_behind(const ContactProblem& problem, std::span<HeldContact> held
     for (HeldContact& contact : held)
         if (std::any_of(held.begin(), held.end(),
                         [&](const HeldContact& other) { return is_left_behind(contact, other); }))
-            contact.is_left = true;
+            contact.is_left_out = true;
 }
 
 } // namespace
@@ -211,7 +212,7 @@ bool find_middles(const World& world, const ContactProblem& problem, const std::
         if (!find_middle(world, problem, first, poses, {begin, end})) return false;
     }
     mark_left_behind(problem, held);
-    std::erase_if(held, [](const HeldContact& contact) { return contact.is_left; });
+    std::erase_if(held, [](const HeldContact& contact) { return contact.is_left_out; });
     return true;
 }
 

@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// A contact that holds bodies apart in this step, at the start and in the middle of the step.
+/// A contact that may hold bodies apart in this step, at the start and in the middle of the step.
 struct HeldContact {
     int index = 0;       // index in `ContactProblem::contacts`
     Contact middle = {}; // the same contact in the middle of the step
@@ -18,12 +18,12 @@ struct HeldContact {
     // the velocities at the start and with those after the contact stage. The larger value is kept.
     double change = 0;
     double negligible = 0; // the highest speed at this contact that counts as 0 [m/s]
-    // Whether the contact stage gave it an impulse. If not, a driven body that turns may close the
-    // contact within the step.
+    // Whether the contact stage gave it an impulse. If not, it is listed because a driven body that
+    // turns may close it.
     bool has_impulse = false;
     bool slides = false; // whether its friction in the contact stage is at the limit
     // Whether it does not count in the middle of the step, see `find_middles`.
-    bool is_left = false;
+    bool is_left_out = false;
 };
 
 /// A bound of |v₁ - v₂| at a contact, whatever the directions of its lever arms. It is the same in

@@ -173,7 +173,7 @@ bool moves_along_a_body(const ContactConstraint& start, const Contact& middle, c
 Vector3d set_velocities(const ContactProblem& problem, const std::vector<Body>& first,
                         const std::map<int, Body>& moved, HeldContact& contact)
 {
-    // A body in the middle of the step, with its velocities at the start or at the end.
+    // Body i at mid-step: `starting` has its first velocities, `ending` its last ones.
     const auto starting = [&](int i) -> const Body& {
         const auto found = moved.find(i);
         return found == moved.end() ? first[i] : found->second;

@@ -218,7 +218,8 @@ void take_results(const MidpointProblem& mid, const MiddleOfStep& middle, const 
         c.normal = solved.normal;
         // With this value, `predicted_gap` returns gap + h times the mean of v·n.
         const double mean = mid.sum_at(k).dot(c.normal) / 2;
-        c.passes_by = problem.time_step * (mean - problem.velocity_at(c, c.point).dot(c.normal));
+        c.gap_correction =
+            problem.time_step * (mean - problem.velocity_at(c, c.point).dot(c.normal));
     }
 }
 

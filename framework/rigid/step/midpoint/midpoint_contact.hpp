@@ -29,9 +29,9 @@ enum class MidpointResult {
 ///
 /// If the island is solved again, its bodies get their velocities at the end of the step, and its
 /// contacts get the impulses and normals of the middle of the step. The points of these contacts
-/// are moved back to the start of the step, and `passes_by` is set (case 4 of `ContactConstraint`).
-/// The bodies then have to move with the means of their velocities at the start and at the end of
-/// the step.
+/// are moved back to the start of the step, and `gap_correction` is set (case 4 of
+/// `ContactConstraint`). The bodies then have to move with the means of their velocities at the
+/// start and at the end of the step.
 ///
 /// @param first  the bodies after the collision stage, before the forces
 /// @param flown  the states after the flight that the contact stage has used

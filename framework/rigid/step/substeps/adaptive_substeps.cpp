@@ -13,10 +13,10 @@
 #include "rigid/motion/free_flight.hpp"
 #include "rigid/step/impact.hpp"
 #include "rigid/step/substeps/end_of_sliding.hpp"
+#include "rigid/step/substeps/island_world.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 namespace rigor {
@@ -38,104 +38,6 @@ double deviation_by_rotation(const World& world, const ContactProblem& problem, 
     if (body.is_still() || body.is_ball()) return 0;
     const double angle = problem.time_step * problem.bodies[i].angular_velocity.norm();
     return angle * angle / 2 * radius;
-}
-
-// A separate world with the bodies of an island and the static bodies near them.
-struct IslandWorld {
-    World world;
-    std::vector<int> bodies; // for each body of `world`, its index in the whole world; ascending
-};
-
-// The bodies of an island, and those that springs connect with them directly or through other
-// bodies. They can be moved alone and in parts.
-// @return nothing if they cannot, because one of them is in another island or may touch a body that
-//         is not among them, or because a deformable solid presses on one of them
-std::optional<std::vector<int>> bodies_moved_together(const World& world,
-                                                      const ContactProblem& problem,
-                                                      const Island& island,
-                                                      const std::vector<Contact>& near)
-{
-    std::vector<int> bodies = island.bodies;
-    std::vector<bool> is_in(world.bodies.size(), false);
-    for (const int i : bodies)
-        is_in[i] = true;
-    const auto is_other = [&](int i) { return i >= 0 && !world.bodies[i].is_static && !is_in[i]; };
-    for (bool grows = !world.springs.empty(); grows;) {
-        grows = false;
-        for (const Spring& s : world.springs)
-            for (const auto& [one, other] : {std::pair(s.body1, s.body2), {s.body2, s.body1}})
-                if (one >= 0 && is_in[one] && is_other(other)) {
-                    is_in[other] = grows = true;
-                    bodies.push_back(other);
-                }
-    }
-    const bool is_pressed =
-        std::any_of(world.forces.begin(), world.forces.end(), [&](const AppliedForce& force) {
-            return force.is_of_solid && is_in[force.body];
-        });
-    if (is_pressed) return std::nullopt;
-    if (bodies.size() == island.bodies.size()) return bodies;
-    for (const Island& each : problem.islands)
-        if (&each != &island)
-            for (const int i : each.bodies)
-                if (is_in[i]) return std::nullopt;
-    for (const Contact& c : near)
-        if ((is_in[c.body1] && is_other(c.body2)) || (is_in[c.body2] && is_other(c.body1)))
-            return std::nullopt;
-    std::sort(bodies.begin(), bodies.end());
-    return bodies;
-}
-
-// Copies these bodies, in ascending order, and the static bodies that contacts in `near` or springs
-// connect with them.
-IslandWorld part_of(const World& world, const std::vector<int>& moved,
-                    const std::vector<Contact>& near)
-{
-    const auto is_moved = [&](int i) { return std::binary_search(moved.begin(), moved.end(), i); };
-    IslandWorld part;
-    part.bodies = moved;
-    for (const Contact& c : near)
-        for (const auto& [fixed, other] :
-             {std::pair(c.body1, c.body2), std::pair(c.body2, c.body1)})
-            if (world.bodies[fixed].is_static && is_moved(other)) part.bodies.push_back(fixed);
-    std::vector<Spring> springs;
-    for (const Spring& spring : world.springs) {
-        if (!is_moved(spring.body1) && !is_moved(spring.body2)) continue;
-        springs.push_back(spring);
-        for (const int i : {spring.body1, spring.body2})
-            if (i >= 0) part.bodies.push_back(i);
-    }
-    std::sort(part.bodies.begin(), part.bodies.end());
-    part.bodies.erase(std::unique(part.bodies.begin(), part.bodies.end()), part.bodies.end());
-
-    std::map<int, int> index;
-    for (int i : part.bodies) {
-        index[i] = static_cast<int>(part.world.bodies.size());
-        part.world.bodies.push_back(world.bodies[i]);
-    }
-    for (Spring spring : springs) {
-        if (spring.body1 >= 0) spring.body1 = index[spring.body1];
-        if (spring.body2 >= 0) spring.body2 = index[spring.body2];
-        part.world.springs.push_back(spring);
-    }
-    for (AppliedForce force : world.forces)
-        if (is_moved(force.body)) {
-            force.body = index[force.body];
-            part.world.forces.push_back(force);
-        }
-    part.world.pair_laws = laws_among(world.pair_laws, part.bodies);
-    part.world.settings = world.settings;
-    part.world.settings.optimisations.sleep = false;
-    part.world.time = world.time;
-    part.world.counters = world.counters;
-    for (WarmContact warm : world.memory.warm_contacts) {
-        const auto body1 = index.find(warm.body1), body2 = index.find(warm.body2);
-        if (body1 == index.end() || body2 == index.end()) continue;
-        warm.body1 = body1->second;
-        warm.body2 = body2->second;
-        part.world.memory.warm_contacts.push_back(warm);
-    }
-    return part;
 }
 
 // Checks whether the overlap of the two bodies of a pair has grown in the step by more than is
@@ -210,9 +112,10 @@ bool is_pushed_together(const ContactProblem& problem, const ContactPair& pair)
 
 // Where the step of an island is divided in two parts.
 struct Division {
-    double time = 0;      // since the start of the step; 0 if the step is not divided [s]
-    bool is_free = false; // whether the bodies are in free flight until `time`
-    bool is_apart = true; // whether `time` is not nearly 0, see `apart` in `first_impact`
+    double time = 0;        // since the start of the step; 0 if the step is not divided [s]
+    bool is_free = false;   // whether the bodies are in free flight until `time`
+    bool is_apart = true;   // whether `time` is not nearly 0, see `apart` in `first_impact`
+    bool is_halved = false; // whether `time` is the middle of the step, and not that of an event
 };
 
 constexpr double just_before = 1 - 1e-9; // so that the bounce lies in the later part
@@ -311,6 +214,56 @@ void keep_warm_contacts(const IslandWorld& part, Refinement& refined)
     }
 }
 
+// Where the step of an island is divided at this depth of the recursion, by the cases of the
+// header.
+Division division_of(const World& world, const ContactProblem& problem, const Island& island,
+                     const std::vector<Body>& first, const std::vector<bool>& pulled, int divisions,
+                     OverlapCheck& overlaps_anew)
+{
+    const bool is_at_limit = divisions >= most_divisions;
+    const bool is_large = island.bodies.size() > (is_at_limit ? few_bodies : most_refined);
+    if (is_large || divisions >= most_divisions_of_few) return {};
+    const double h = problem.time_step;
+    const bool is_pulled =
+        std::any_of(island.bodies.begin(), island.bodies.end(), [&](int i) { return pulled[i]; });
+    Division division;
+    if (is_pulled)
+        division = first_impact_under_forces(world, problem, island);
+    else if (island.lands_at > apart * h)
+        division = {just_before * island.lands_at, true, true};
+    else
+        division = first_impact(world, problem, island);
+    if (is_at_limit) return division.is_apart ? division : Division();
+    if (division.time > 0) return division;
+
+    const auto is_any = [&](const auto& condition) {
+        return std::any_of(island.pairs.begin(), island.pairs.end(), condition);
+    };
+    const auto pushed = [&](const ContactPair& pair) { return is_pushed_together(problem, pair); };
+    division.is_halved = is_pulled ? is_any(pushed) : is_any(std::ref(overlaps_anew));
+    if (division.is_halved)
+        division.time = h / 2;
+    else if (divisions < most_divisions_of_sliding)
+        division.time = end_of_sliding(problem, island, first);
+    return division;
+}
+
+// The parts do not count as steps of the world. If the step was divided at an impact, both the
+// first attempt and the parts counted its bounces, so one bounce is subtracted for each pair that
+// bounced. If the step was halved, the counters include the work of the first attempt and of the
+// halves.
+void count_parts(const World& parts, const ContactProblem& problem, const Island& island,
+                 bool is_halved, Counters& counters)
+{
+    const std::uint64_t steps = counters.steps;
+    counters = parts.counters;
+    counters.steps = steps;
+    if (is_halved) return;
+    counters.collision_impulses -=
+        std::count_if(island.pairs.begin(), island.pairs.end(),
+                      [&](const ContactPair& pair) { return bounced(problem, pair); });
+}
+
 } // namespace
 
 Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::vector<Body>& first,
@@ -319,46 +272,23 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::
                               const StepOfPart& step)
 {
     Refinement refined;
-    if (divisions >= most_divisions_of_few) return refined;
     OverlapCheck overlaps_anew(world, problem, candidates, states);
     for (const Island& island : problem.islands) {
-        if (island.bodies.size() > most_refined) continue;
-        const double h = problem.time_step;
-        const bool is_at_limit = divisions >= most_divisions;
-        if (is_at_limit && island.bodies.size() > few_bodies) continue;
-        const bool is_pulled = std::any_of(island.bodies.begin(), island.bodies.end(),
-                                           [&](int i) { return pulled[i]; });
-        const bool lands = island.lands_at > apart * h;
-        Division division;
-        if (is_pulled)
-            division = first_impact_under_forces(world, problem, island);
-        else
-            division = lands ? Division{just_before * island.lands_at, true, true}
-                             : first_impact(world, problem, island);
-        if (is_at_limit && !division.is_apart) continue;
-        const auto is_any = [&](const auto& condition) {
-            return std::any_of(island.pairs.begin(), island.pairs.end(), condition);
-        };
-        const bool is_halved = division.time == 0 && !is_at_limit &&
-                               (is_pulled ? is_any([&](const ContactPair& pair) {
-                                   return is_pushed_together(problem, pair);
-                               })
-                                          : is_any(std::ref(overlaps_anew)));
-        if (is_halved)
-            division.time = h / 2;
-        else if (division.time == 0 && divisions < most_divisions_of_sliding)
-            division.time = end_of_sliding(problem, island, first);
+        const Division division =
+            division_of(world, problem, island, first, pulled, divisions, overlaps_anew);
         if (division.time == 0) continue;
         const std::optional<std::vector<int>> moved =
             bodies_moved_together(world, problem, island, candidates.contacts);
         if (!moved) continue;
-        IslandWorld part = part_of(world, *moved, candidates.contacts);
+        IslandWorld part = island_world(world, *moved, candidates.contacts);
+        const double h = problem.time_step;
         if (division.is_free) {
             fly_freely(part.world, division.time);
         } else {
             // From `most_divisions` on, only the later part is divided again. So the number of
             // parts grows in proportion to the number of bounces, and not exponentially.
-            const int of_first = is_at_limit ? most_divisions_of_few : divisions + 1;
+            const int of_first =
+                divisions >= most_divisions ? most_divisions_of_few : divisions + 1;
             take_substep(part, step, of_first, division.time, refined);
         }
         if (division.time < h) take_substep(part, step, divisions + 1, h - division.time, refined);
@@ -366,17 +296,7 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::
         for (std::size_t k = 0; k < part.bodies.size(); ++k)
             if (!part.world.bodies[k].is_static)
                 states[part.bodies[k]] = part.world.bodies[k].state;
-        // The parts do not count as steps of this world. If the step was divided at an impact, both
-        // the first attempt and the parts counted its bounces, so one bounce is subtracted for each
-        // pair that bounced. If the step was halved, the counters include the work of the first
-        // attempt and of the halves.
-        const std::uint64_t steps = world.counters.steps;
-        world.counters = part.world.counters;
-        if (!is_halved)
-            world.counters.collision_impulses -=
-                std::count_if(island.pairs.begin(), island.pairs.end(),
-                              [&](const ContactPair& pair) { return bounced(problem, pair); });
-        world.counters.steps = steps;
+        count_parts(part.world, problem, island, division.is_halved, world.counters);
         for (const ContactPair& pair : island.pairs)
             for (int i = pair.first; i < pair.last; ++i) {
                 problem.contacts[i].collision_impulse.setZero();

@@ -58,7 +58,7 @@ TEST_CASE("active contacts: a point that rotation carries past may come nearer",
     for (const double gap : {0.03, 0.0, -0.03}) {
         ContactConstraint& c = problem.touch(wheel, 0, {0, 0, 0});
         c.gap = gap;
-        c.passes_by = 0.02;
+        c.gap_correction = 0.02;
     }
     activate_contacts(problem, problem.island);
     CHECK_THAT(problem.contacts[0].target_speed, IsClose(-5.0, Rounding(4)));

@@ -126,7 +126,7 @@ TEST_CASE("contact problem: the gap at the end of the step includes what rotatio
     ContactConstraint c;
     c.gap = 0.5;
     CHECK(problem.predicted_gap(c, -2) == 0);
-    c.passes_by = 0.125;
+    c.gap_correction = 0.125;
     CHECK(problem.predicted_gap(c, -3) == -0.125);
 }
 

@@ -43,7 +43,8 @@ struct Solved {
                 problem.bodies[i] = with_forces(problem.bodies[i], world.bodies[i].state, flown[i]);
         for (const Island& island : problem.islands)
             process_contact(problem, island, after_collisions);
-        by_mean = moves_by_mean_velocity(world, after_collisions, flown, candidates.poses, problem);
+        by_mean =
+            solve_again_at_midpoint(world, after_collisions, flown, candidates.poses, problem);
     }
 };
 

@@ -48,7 +48,7 @@ struct Balls {
         for (const RigidBody& body : world.bodies)
             poses.push_back(pose_of(body.state));
         const std::vector<char> by_mean =
-            moves_by_mean_velocity(world, after_collisions, states, poses, problem);
+            solve_again_at_midpoint(world, after_collisions, states, poses, problem);
         update_positions(world, problem, pulled, after_collisions, by_mean, displacements, {},
                          states);
         return states[1];
