@@ -65,6 +65,20 @@ TEST_CASE("contact: one sweep stops a ball on the floor", "[A5.5][contact]")
     check_impulses(resolved(ball_on_floor({3, -2, 4}, 0), 1), {{0, 2, 0}});
 }
 
+TEST_CASE("contact: friction follows the impulse along the normal at any separation speed",
+          "[A5.5][contact]")
+{
+    // The ball slides as above. It is stopped as far as the contact asks, by jₙ = s + 2.
+    for (const double s : {-3.0, -2.0, -1.75, -1.0, -0.5, -0.125, 0.0, 0.125, 0.5})
+        for (const double friction : {0.1, 0.5}) {
+            CAPTURE(s, friction);
+            ContactCase problem = ball_on_floor({3, -2, 4}, friction);
+            problem.contacts[0].separation_speed = s;
+            const double j_n = std::max(s + 2, 0.0), j_t = friction * j_n;
+            check_impulses(resolved(problem, 1), {{-0.6 * j_t, j_n, -0.8 * j_t}});
+        }
+}
+
 TEST_CASE("contact: a ball that leaves the floor gets no impulse", "[A5.5][contact]")
 {
     const ContactCase problem = ball_on_floor({3, 2, 0}, 0.5);

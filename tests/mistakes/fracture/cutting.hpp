@@ -326,7 +326,7 @@ inline std::vector<Part> parts_of(const CopyRules& rules,
     return parts;
 }
 
-inline double share_of(const CopyRules& rules, const Part& part, std::size_t parts,
+inline double share_of(const CopyRules& rules, const Part& part,
                        const std::vector<Eigen::Vector4d>& planes)
 {
     const int corners = std::accumulate(part.real.begin(), part.real.end(), 0);
@@ -362,7 +362,7 @@ inline EmbeddedMesh copies_by(const CopyRules& rules, const TetrahedralMesh& mes
             copies[t].push_back(static_cast<int>(result.parents.size()));
             result.parents.push_back(static_cast<int>(t));
             result.real.push_back(part.real);
-            result.fractions.push_back(share_of(rules, part, parts.size(), planes[t]));
+            result.fractions.push_back(share_of(rules, part, planes[t]));
             result.mesh.tetrahedra.push_back(mesh.tetrahedra[t]);
         }
     }
