@@ -5,6 +5,9 @@
 #include "support/in_words.hpp"
 #include "virtual_nodes_laws.hpp"
 
+#include <algorithm>
+#include <map>
+
 namespace rigor::testing::fracture_extremes_test {
 
 namespace {
@@ -21,6 +24,33 @@ TetrahedralMesh behind_unused(const TetrahedralMesh& mesh, int count)
 }
 
 constexpr int many = 70'000; // more than indices of 16 bits can number
+
+const Vector3d oblique(0.48, 0.64, 0.6); // a unit vector
+
+// The moved mesh. Its coordinates are exact if those of the mesh have few digits.
+TetrahedralMesh moved_far(TetrahedralMesh mesh, const Vector3d& by)
+{
+    for (Vector3d& x : mesh.vertices)
+        x += by;
+    return mesh;
+}
+
+Vector3d far_by(int power)
+{
+    return std::ldexp(1, power) * Vector3d(1.25, -0.75, 1.5);
+}
+
+// For each edge that was cut, its ends and where it was cut, from the end with the smaller number.
+std::map<std::pair<int, int>, double> cut_edges(const SplitMesh& split)
+{
+    std::map<std::pair<int, int>, double> cuts;
+    for (const auto& [first, second, fraction] : split.origins)
+        if (first < second)
+            cuts[{first, second}] = fraction;
+        else if (second < first)
+            cuts[{second, first}] = 1 - fraction;
+    return cuts;
+}
 
 } // namespace
 
@@ -115,14 +145,49 @@ TEST_CASE("fracture: along faces a small mesh far from the origin", "[A7.5][frac
         x = x + Vector3d(x.y() / 4 + x.z() / 8, x.z() / 4 + x.x() / 8, x.x() / 4 + x.y() / 8);
     for (int power = 0; power <= 48; power += 2) {
         CAPTURE(power);
-        TetrahedralMesh far = near;
-        for (Vector3d& x : far.vertices) // exact
-            x += std::ldexp(1, power) * Vector3d(1.25, -0.75, 1.5);
+        const TetrahedralMesh far = moved_far(near, far_by(power));
         const SplitMesh result = split_along_faces(
             far, faces_where(blocks, [](const Vector3d& x) { return x.x() == 1; }));
         check_count(vertex_count(result.mesh), 12 + 4, "vertices");
         for (std::size_t t = 0; t < result.mesh.tetrahedra.size(); ++t)
             REQUIRE_THAT(volume(result.mesh, t), IsClose(volume(far, t), Rounding(16, 1)));
+    }
+}
+
+TEST_CASE("fracture: through elements a small mesh far from the origin", "[A7.6][fracture]")
+{
+    const auto near = cut_edges(split_element(octahedron(), 0, oblique));
+    for (int power = 0; power <= 44; power += 2) {
+        CAPTURE(power);
+        const auto far =
+            cut_edges(split_element(moved_far(octahedron(), far_by(power)), 0, oblique));
+        check_count(far.size(), static_cast<int>(near.size()), "edges that are cut");
+        for (const auto& [edge, fraction] : near) {
+            check_count(far.count(edge), 1, "cuts of an edge that is cut near the origin");
+            REQUIRE_THAT(far.at(edge), IsClose(fraction, Rounding(16, 1)));
+        }
+    }
+}
+
+TEST_CASE("fracture: with virtual nodes a small mesh far from the origin", "[A7.7][fracture]")
+{
+    const auto shares = [](const Vector3d& by) {
+        const TetrahedralMesh cube = block(2, 2, 2);
+        Cracks cracks = plane_through(cube, {0.875, 1.125, 0.75}, oblique);
+        for (ElementCrack& crack : cracks)
+            crack.point += by;
+        const EmbeddedMesh result = virtual_nodes(moved_far(cube, by), cracks);
+        std::vector<double> all;
+        for (std::size_t i = 0; i < result.parents.size(); ++i)
+            all.push_back(result.parents[i] + result.fractions[i]);
+        std::sort(all.begin(), all.end());
+        return all;
+    };
+    const std::vector<double> near = shares({0, 0, 0});
+    for (int power = 0; power <= 44; power += 2) {
+        CAPTURE(power);
+        REQUIRE_THAT(shares(far_by(power)),
+                     IsClose(near, Rounding(16, static_cast<double>(near.size()))));
     }
 }
 

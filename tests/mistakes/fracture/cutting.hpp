@@ -128,6 +128,7 @@ struct ElementRules {
     double snap_distance = 0.05;     // relative to the longest edge
     bool snaps_at_the_limit = false; // also a vertex exactly at the snap distance
     bool by_own_edges = false;       // the longest edge of the tetrahedra that have the vertex
+    bool subtracts_heights = false;  // n·x - n·x_v, whose digits cancel far from the origin
     bool asks_for_both_sides = true; // otherwise it splits even if no vertex is above, or below
     // The side of a tetrahedron on the plane, from the height of its center: positive for above, 0
     // for neither.
@@ -151,7 +152,8 @@ inline std::map<int, double> heights_at(const ElementRules& rules, const Tetrahe
             for (int b : t)
                 if (has(t, vertex)) {
                     const double length = (mesh.vertices[a] - mesh.vertices[b]).norm();
-                    heights[a] = n.dot(mesh.vertices[a] - mesh.vertices[vertex]);
+                    const Vector3d &x = mesh.vertices[a], &X = mesh.vertices[vertex];
+                    heights[a] = rules.subtracts_heights ? n.dot(x) - n.dot(X) : n.dot(x - X);
                     longest = std::max(longest, length);
                     for (int c : t)
                         longest_own[c] = std::max(longest_own[c], length);
