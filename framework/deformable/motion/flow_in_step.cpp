@@ -101,7 +101,7 @@ Matrix3d FlowInStep::strain_in_step(int e, const std::vector<Vector3d>& velociti
 void FlowInStep::linearise(const std::vector<Vector3d>& velocities)
 {
     next_.clear();
-    excess_ = 0;
+    slope_beyond_ = 0;
     auto latest = flows_.begin();
     for (int e = 0; e < work_->elements.size(); ++e) {
         const ElementFlow* solved =
@@ -133,23 +133,23 @@ void FlowInStep::note_error(int e, const Matrix3d& error, const Matrix3d& trial,
     if (error.norm() > most_error) changed_.push_back(e);
     if (is_first_) return;
     const Matrix3d before = solved ? solved->strain : strain_in_step(e, guess_);
-    excess_ += work_->elements.volume(e) * product(error, d - before);
+    slope_beyond_ += work_->elements.volume(e) * product(error, d - before);
 }
 
 // Goes back towards the guess if the velocities of the latest solve lie too far beyond the minimum.
 // Let p be the way from the guess to these velocities, and A the matrix of the latest solve. Along
 // p, the function that the step minimizes has the slope -pᵀ A p at the guess (`slope` is pᵀ A p)
-// and the slope `excess_` at these velocities.
+// and the slope `slope_beyond_` at these velocities.
 // @return whether it went back
 bool FlowInStep::backtrack(VelocitySystem& s)
 {
-    if (is_first_ || excess_ <= 0) return false;
+    if (is_first_ || slope_beyond_ <= 0) return false;
     way_.resize(guess_.size());
     for (std::size_t i = 0; i < guess_.size(); ++i)
         way_[i] = s.velocities[i] - guess_[i];
     const double slope = s.system.matrix().quadratic_form(way_);
-    if (excess_ <= largest_turn * slope) return false;
-    const double part = slope / (slope + excess_);
+    if (slope_beyond_ <= largest_turn * slope) return false;
+    const double part = slope / (slope + slope_beyond_);
     for (std::size_t i = 0; i < guess_.size(); ++i)
         s.velocities[i] = guess_[i] + part * way_[i];
     return true;

@@ -54,7 +54,7 @@ private:
     std::vector<int> changed_;
     // Slope of the minimized function along `way_` at the latest velocities [J]; > 0 beyond the
     // minimum.
-    double excess_ = 0;
+    double slope_beyond_ = 0;
     std::vector<Vector3d> way_; // from `guess_` to the latest velocities [m/s]
 };
 

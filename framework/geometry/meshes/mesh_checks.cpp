@@ -46,14 +46,14 @@ public:
 
     void run()
     {
-        numbers();
-        areas();
+        check_numbers();
+        check_areas();
         const std::vector<HalfEdge> edges = sorted_half_edges(mesh_);
-        closed(edges);
-        outward();
-        folds(edges);
-        crossings();
-        pieces(edges);
+        check_closed(edges);
+        check_outward();
+        check_folds(edges);
+        check_crossings();
+        check_pieces(edges);
     }
 
 private:
@@ -84,7 +84,7 @@ private:
         return all;
     }
 
-    void numbers() const
+    void check_numbers() const
     {
         const int count = static_cast<int>(mesh_.vertices.size());
         if (mesh_.triangles.empty()) throw MeshError(0, "expected a mesh with faces, found none");
@@ -102,7 +102,7 @@ private:
             }
     }
 
-    void areas() const
+    void check_areas() const
     {
         for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t) {
             const Triangle triangle = triangle_of(mesh_, t);
@@ -115,7 +115,7 @@ private:
         }
     }
 
-    void closed(const std::vector<HalfEdge>& edges) const
+    void check_closed(const std::vector<HalfEdge>& edges) const
     {
         for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
             while (last < edges.size() && edges[last].same_edge(edges[first]))
@@ -136,7 +136,7 @@ private:
         }
     }
 
-    void outward() const
+    void check_outward() const
     {
         const double volume = signed_volume(mesh_);
         const double rounding = least_volume * std::pow((bounds_.high - bounds_.low).maxCoeff(), 3);
@@ -150,17 +150,17 @@ private:
     }
 
     // Refuses two faces at an edge that are folded onto each other: their normals are opposite.
-    void folds(const std::vector<HalfEdge>& edges) const
+    void check_folds(const std::vector<HalfEdge>& edges) const
     {
         for (std::size_t i = 0; i < edges.size(); i += 2) {
             const int t = edges[i].triangle, u = edges[i + 1].triangle;
             const Vector3d n = triangle_of(mesh_, t).area_normal().normalized();
             const Vector3d m = triangle_of(mesh_, u).area_normal().normalized();
-            if ((n + m).norm() < folded) crossing(t, u);
+            if ((n + m).norm() < folded) refuse_crossing(t, u);
         }
     }
 
-    [[noreturn]] void crossing(int t, int u) const
+    [[noreturn]] void refuse_crossing(int t, int u) const
     {
         throw MeshError(line(u), "expected a surface that does not go through itself, found " +
                                      face(u) + " crossing " + face(t));
@@ -195,7 +195,7 @@ private:
         return false;
     }
 
-    void crossings() const
+    void check_crossings() const
     {
         const TriangleTree tree(mesh_);
         for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t) {
@@ -203,7 +203,7 @@ private:
             tree.tree().near(box, [&](int u) {
                 if (u <= t || !box.overlaps(triangle_of(mesh_, u).bounds()) || share(t, u, 2))
                     return;
-                if (edge_through(t, u) || edge_through(u, t)) crossing(t, u);
+                if (edge_through(t, u) || edge_through(u, t)) refuse_crossing(t, u);
             });
         }
     }
@@ -221,7 +221,7 @@ private:
 
     // Refuses a piece unless material lies on the inner side of its faces and none on their outer
     // side: the winding number of the whole surface is then 1 on the inner side, 0 on the outer.
-    void pieces(const std::vector<HalfEdge>& edges) const
+    void check_pieces(const std::vector<HalfEdge>& edges) const
     {
         const int count = static_cast<int>(mesh_.triangles.size());
         std::vector<int> parent(mesh_.triangles.size());

@@ -31,9 +31,9 @@ struct ContactConstraint : Contact {
     //    step, cancels the rotation, because other points follow it.
     // 2. Two balls fly past each other. The correction is their gap at the end of the step minus
     //    the prediction gap + h v·n.
-    // 3. `gap` belongs to the orientation at the end of free flight (`ContactCandidates::turned`),
-    //    so it already includes the rotation. The correction is -h times the part of v·n by
-    //    rotation, so that the rotation does not count twice.
+    // 3. `gap` belongs to the orientation at the end of free flight
+    //    (`ContactCandidates::turned_ahead`), so it already includes the rotation. The correction
+    //    is -h times the part of v·n by rotation, so that the rotation does not count twice.
     // 4. The contact was solved in the middle of the step (midpoint_contact.hpp). The correction is
     //    h times the mean of v·n over the step, minus h v·n with the v at the end of the step.
     // 5. The bodies have bounced and flown again (bounced_flight.hpp), and the contact is open

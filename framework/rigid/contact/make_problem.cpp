@@ -154,7 +154,7 @@ struct PairValues {
     bool rolls1 = false, rolls2 = false;
     double both_radii = 0; // if both bodies are balls: the sum of their radii, otherwise 0 [m]
     // For each of the two bodies, whether the gaps belong to the orientation of this body at the
-    // end of free flight (`ContactCandidates::turned`).
+    // end of free flight (`ContactCandidates::turned_ahead`).
     bool turned1 = false, turned2 = false;
     Material material;
 
@@ -204,7 +204,7 @@ struct Filter {
 
     bool has_turned(int body) const
     {
-        return !candidates.turned.empty() && candidates.turned[body];
+        return !candidates.turned_ahead.empty() && candidates.turned_ahead[body];
     }
 
     // The part of v·n by rotation [m/s]. It includes the rotation of a body only if the contacts

@@ -99,9 +99,9 @@ struct ContactSearch {
     std::vector<Bounds> bounds;  // one for each body, swept over the step, see `frame_of_bounds`
     // For each body, its longest path relative to one of the motions of `frames_of` [m].
     std::vector<double> travels;
-    ContactCandidates candidates; // filled in this order: poses and radii, margins, contacts
-    std::vector<Pose> turned;     // poses for the narrow phase; empty: it uses `candidates.poses`
-    double time_step = 0;         // [s]
+    ContactCandidates candidates;  // filled in this order: poses and radii, margins, contacts
+    std::vector<Pose> poses_ahead; // poses for the narrow phase; empty: it uses `candidates.poses`
+    double time_step = 0;          // [s]
 };
 
 // Whether the swept bounds of two bodies come closer than `reach`.
@@ -251,8 +251,9 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
         ++found.counters.pairs_tested;
         const double path = path_between(search.motions[i], search.motions[j]);
         const std::size_t first = found.contacts.size();
-        find_contacts(search.world, search.turned.empty() ? search.candidates.poses : search.turned,
-                      i, j, path + margin, found.contacts, found.counters, search.time_step);
+        find_contacts(search.world,
+                      search.poses_ahead.empty() ? search.candidates.poses : search.poses_ahead, i,
+                      j, path + margin, found.contacts, found.counters, search.time_step);
         bool may_meet = false;
         for (std::size_t k = first; k < found.contacts.size(); ++k)
             may_meet |= found.contacts[k].gap < path;
@@ -266,19 +267,19 @@ NarrowPhaseResult run_narrow_phase(const ContactSearch& search, std::span<const 
     return found;
 }
 
-// Makes `search.turned`: a copy of all poses, where each body that rolls over its facets
+// Makes `search.poses_ahead`: a copy of all poses, where each body that rolls over its facets
 // (`turns_over_facets`) gets its orientation at the end of free flight. Without such bodies it
 // stays empty.
 void turn_ahead(ContactSearch& search, std::span<const RigidState> flown)
 {
     for (std::size_t i = 0; i < flown.size(); ++i) {
         if (!turns_over_facets(search.world.bodies[i], flown[i])) continue;
-        if (search.turned.empty()) {
-            search.turned = search.candidates.poses;
-            search.candidates.turned.resize(flown.size(), false);
+        if (search.poses_ahead.empty()) {
+            search.poses_ahead = search.candidates.poses;
+            search.candidates.turned_ahead.resize(flown.size(), false);
         }
-        search.turned[i].R = pose_of(flown[i]).R;
-        search.candidates.turned[i] = true;
+        search.poses_ahead[i].R = pose_of(flown[i]).R;
+        search.candidates.turned_ahead[i] = true;
     }
 }
 

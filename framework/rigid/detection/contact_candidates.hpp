@@ -15,7 +15,7 @@ struct ContactCandidates {
     // For each body, whether its contacts were found with its orientation at the end of free flight
     // and its position at the start of the step. Empty if no body rolls over its facets
     // (`turns_over_facets` in contact_candidates.cpp).
-    std::vector<char> turned;
+    std::vector<char> turned_ahead;
     // One margin for each body [m]; empty if no bodies are near each other. A contact cannot close
     // if its gap after free flight is at least the sum of the margins of its two bodies.
     std::vector<double> margins;

@@ -30,10 +30,10 @@ struct Path {
 
     // How far rotation may move a point of the body [m]: by at most 2 radii. (The radius of a plane
     // is infinite.)
-    double turned() const { return angle == 0 ? 0 : radius * std::min(angle, 2.0); }
+    double turning_path() const { return angle == 0 ? 0 : radius * std::min(angle, 2.0); }
 
     // A bound of how far a point of the body moves [m].
-    double length() const { return moved.norm() + turned(); }
+    double length() const { return moved.norm() + turning_path(); }
 
     // A lower bound of the distance by which the body recedes along n from another body [m]. `gap`
     // is the distance of the two bodies at the contact point x. If the bound is negative, the body
@@ -177,7 +177,7 @@ private:
         const Bounds start = path.swept;
         for (const Vector3d& d : {path.moved, Vector3d(flown_[i].position - path.X)})
             path.swept.include({start.low + d, start.high + d});
-        path.swept.grow(path.turned());
+        path.swept.grow(path.turning_path());
         return path;
     }
 

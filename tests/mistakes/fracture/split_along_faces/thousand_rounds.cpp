@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Labels spread from corner to corner in at most a thousand rounds, which is too few for thousands
-// of tetrahedra around an edge.
+// Labels spread from corner to corner in at most a thousand rounds, which is too few for an edge
+// with thousands of tetrahedra around it.
 #include "mistakes/fracture/cutting.hpp"
 
 namespace rigor {
