@@ -24,8 +24,11 @@ SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshF
         for (const auto& [a, b] : links)
             labels[a] = labels[b] = std::min(labels[a], labels[b]);
     cutting::Corners corners(mesh.tetrahedra.size());
-    for (int i = 0; i < static_cast<int>(labels.size()); ++i)
-        corners.join(i / 4, i % 4, labels[i] / 4, labels[i] % 4);
+    std::map<int, int> first; // for each label, the first corner that has it
+    for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
+        const int other = first.emplace(labels[i], i).first->second;
+        corners.join(i / 4, i % 4, other / 4, other % 4);
+    }
     return cutting::with_joined(mesh, corners);
 }
 
