@@ -49,6 +49,24 @@ TEST_CASE("inertia: a moment just beside the threshold", "[A2.5][inertia]")
                 }
 }
 
+TEST_CASE("inertia: nearly equal moments have their own inverses", "[A2.5][inertia]")
+{
+    for (int power = 1; power <= 50; ++power)
+        for (const double third : {0.0, 1e-13, 1e-3, 1.0, 2.0})
+            for (int i = 0; i < 3; ++i) {
+                CAPTURE(power, third, i);
+                Vector3d moments, expected;
+                moments[i] = third;
+                moments[(i + 1) % 3] = 1;
+                moments[(i + 2) % 3] = 1 + std::ldexp(1, -power);
+                for (int k = 0; k < 3; ++k)
+                    expected[k] = moments[k] < 1e-12 ? 0 : 1 / moments[k];
+                const Vector3d found = invert_moments(moments);
+                for (int k = 0; k < 3; ++k)
+                    REQUIRE_THAT(found[k], IsClose(expected[k], Rounding(8)));
+            }
+}
+
 TEST_CASE("inertia: principal axes of a tensor that is nearly diagonal", "[A2.4][inertia]")
 {
     for (Random random : seeds(20))

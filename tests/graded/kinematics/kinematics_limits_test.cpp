@@ -11,6 +11,24 @@
 using namespace rigor;
 using namespace rigor::testing;
 
+namespace {
+
+void check_rates(const MatrixState& state, double inverse_mass, const Matrix3d& I_inverse,
+                 const Wrench& wrench)
+{
+    const MatrixStateRate rate = equations_of_motion(state, inverse_mass, I_inverse, wrench);
+    const Matrix3d& R = state.rotation;
+    const Vector3d w = I_inverse * state.angular_momentum;
+    Matrix3d R_dot;
+    R_dot << w.cross(R.col(0)), w.cross(R.col(1)), w.cross(R.col(2));
+    REQUIRE_THAT(rate.position_rate, IsExactly(state.velocity));
+    REQUIRE_THAT(rate.rotation_rate, IsClose(R_dot, Rounding(128, 1 + w.norm())));
+    REQUIRE_THAT(rate.velocity_rate, IsClose(Vector3d(inverse_mass * wrench.force), Rounding(32)));
+    REQUIRE_THAT(rate.angular_momentum_rate, IsExactly(wrench.torque));
+}
+
+} // namespace
+
 TEST_CASE("kinematics: rods and point masses move as well", "[A1.9][kinematics]")
 {
     for (Random random : seeds(40)) {
@@ -21,18 +39,39 @@ TEST_CASE("kinematics: rods and point masses move as well", "[A1.9][kinematics]"
         for (const double across : {0.0, 2.0}) { // a point mass, a rod along its z-axis
             CAPTURE(across);
             const Matrix3d I_inverse = R * Vector3d(across, across, 0).asDiagonal() * R.transpose();
-            const MatrixStateRate rate =
-                equations_of_motion(state, inverse_mass, I_inverse, wrench);
-            const Vector3d w = I_inverse * state.angular_momentum;
-            Matrix3d R_dot;
-            R_dot << w.cross(R.col(0)), w.cross(R.col(1)), w.cross(R.col(2));
-            REQUIRE_THAT(rate.position_rate, IsExactly(state.velocity));
-            REQUIRE_THAT(rate.rotation_rate, IsClose(R_dot, Rounding(128, 1 + w.norm())));
-            REQUIRE_THAT(rate.velocity_rate,
-                         IsClose(Vector3d(inverse_mass * wrench.force), Rounding(32)));
-            REQUIRE_THAT(rate.angular_momentum_rate, IsExactly(wrench.torque));
+            check_rates(state, inverse_mass, I_inverse, wrench);
         }
     }
+}
+
+TEST_CASE("kinematics: a body at rest is set in motion, and one without a force moves on",
+          "[A1.9][kinematics]")
+{
+    for (Random random : seeds(4))
+        for (int zeros = 0; zeros < 16; ++zeros) {
+            CAPTURE(zeros);
+            MatrixState state = {random.vector(), random.rotation(), random.vector(),
+                                 random.vector()};
+            Wrench wrench = {random.vector(), random.vector()};
+            int k = 0;
+            for (Vector3d* part :
+                 {&state.velocity, &state.angular_momentum, &wrench.force, &wrench.torque})
+                if (zeros >> k++ & 1) part->setZero();
+            check_rates(state, random.mass(), Matrix3d::Identity(), wrench);
+        }
+}
+
+TEST_CASE("kinematics: grains of dust and planets move by the same equations", "[A1.9][kinematics]")
+{
+    for (Random random : seeds(4))
+        for (int power = -60; power <= 60; power += 4) {
+            CAPTURE(power);
+            const double inverse_mass = std::pow(10.0, power);
+            const MatrixState state = {random.vector(), random.rotation(), random.vector(),
+                                       random.vector() / inverse_mass};
+            check_rates(state, inverse_mass, inverse_mass * Matrix3d::Identity(),
+                        {random.vector(), random.vector()});
+        }
 }
 
 TEST_CASE("kinematics: a static body has no rates even if it has a velocity", "[A1.9][kinematics]")

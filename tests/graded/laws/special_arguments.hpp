@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Special inputs of a formula, and inputs near them. Special inputs have entries that are zero or
-// equal, turn about an axis of the frame or by quarters of a turn, have a point straight above
-// another one, repeat an argument, or coincide with entries of others. Ordinary random numbers
-// almost never do any of this.
+// equal, have several vectors that are zero, turn about an axis of the frame or by quarters of a
+// turn, have a point straight above another one, repeat an argument, or coincide with entries of
+// others. Ordinary random numbers almost never do any of this.
 #pragma once
 
 #include "coincidences.hpp"
@@ -158,6 +158,25 @@ template <class T> void make_argument_special(T& value, const Quantity& q, Rando
     make_unit(value, q);
 }
 
+/// Makes half of the vectors and matrices of an argument zero that may be zero, so that all
+/// combinations of zero and other ones occur.
+template <class T> void make_zero(T& value, const Quantity& q, Random& random)
+{
+    const T before = value;
+    each_pair(value, before, q, false, [&](auto& leaf, const auto&, const Quantity& of) {
+        using Leaf = std::remove_cvref_t<decltype(leaf)>;
+        constexpr bool is_vector = std::is_same_v<Leaf, Vector3d>,
+                       is_matrix = std::is_same_v<Leaf, Matrix3d>;
+        if constexpr (is_vector || is_matrix) {
+            const bool has_size = of.kind == Kind::unit || of.kind == Kind::along_axes ||
+                                  of.kind == Kind::rotation || of.kind == Kind::definite ||
+                                  of.kind == Kind::columns;
+            if (!has_size && one_in(2, random)) leaf.setZero();
+        }
+    });
+    make_unit(value, q);
+}
+
 template <class T> void nudge_argument(T& value, const Quantity& q, double t, Random& random)
 {
     const T before = value;
@@ -227,6 +246,10 @@ template <FormulaIndex f, auto& formula> Arguments<formula> special_arguments(Ra
     std::size_t k = 0;
     std::apply([&](auto&... one) { (make_argument_special(one, of.arguments[k++], random), ...); },
                arguments);
+    k = 0;
+    if (one_in(4, random))
+        std::apply([&](auto&... one) { (make_zero(one, of.arguments[k++], random), ...); },
+                   arguments);
     if constexpr (f == F::sample_level_set) {
         auto& [grid, p] = arguments;
         for (int i = 0; i < 3; ++i) // a node, half-way between nodes, or elsewhere, also outside
