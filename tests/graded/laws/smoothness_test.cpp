@@ -6,6 +6,7 @@
 #include "add_law.hpp"
 #include "own_answers.hpp"
 #include "special_arguments.hpp"
+#include "support/in_words.hpp"
 #include "support/seeds.hpp"
 #include "support/sweep.hpp"
 
