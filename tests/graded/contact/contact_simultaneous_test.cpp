@@ -4,6 +4,7 @@
 #include "support/seeds.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rigor::testing::contact_simultaneous_test {
 
@@ -77,6 +78,20 @@ TEST_CASE("contact: friction follows the impulse along the normal at any separat
             const double j_n = std::max(s + 2, 0.0), j_t = friction * j_n;
             check_impulses(resolved(problem, 1), {{-0.6 * j_t, j_n, -0.8 * j_t}});
         }
+}
+
+TEST_CASE("contact: λ is the larger of two eigenvalues that are nearly equal", "[A5.5][contact]")
+{
+    // At (δ, 0, δ/2) the lever arm of the ball is r = (δ, -1, δ/2), and I = 0.4 δ. So
+    // nᵀ K n = 1 + 2.5 (r² - 1), and λ = 1 + 2.5 r², across r and n.
+    for (int power = 1; power <= 30; ++power) {
+        CAPTURE(power);
+        const double delta = std::ldexp(1, -power), squared = 1.25 * delta * delta; // r² - 1
+        ContactCase problem = ball_on_floor({0.3, -2, 0.4}, 0.5);
+        problem.contacts[0].point = {delta, 0, delta / 2};
+        const double j_n = 2 / (1 + 2.5 * squared), lambda = 3.5 + 2.5 * squared;
+        check_impulses(resolved(problem, 1), {{-0.3 / lambda, j_n, -0.4 / lambda}});
+    }
 }
 
 TEST_CASE("contact: a ball that leaves the floor gets no impulse", "[A5.5][contact]")

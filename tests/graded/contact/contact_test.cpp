@@ -5,6 +5,7 @@
 #include "support/seeds.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace rigor::testing {
@@ -138,6 +139,33 @@ TEST_CASE("contact: the deepest end of a rod is stopped first", "[A5.2][contact]
     check_ends(resolved(falling_rod(0.01, 0.01), 1), 0.25, 0.375);
     // a gap is less than any depth, and all contacts may have gaps
     check_ends(resolved(falling_rod(-0.02, -0.01), 1), 0.375, 0.25);
+    // depths differ however little they do
+    for (int power = 1; power <= 52; ++power) {
+        CAPTURE(power);
+        const double deeper = 1 + std::ldexp(1, -power);
+        check_ends(resolved(falling_rod(deeper, 1), 1), 0.25, 0.375);
+        check_ends(resolved(falling_rod(1, deeper), 1), 0.375, 0.25);
+    }
+}
+
+TEST_CASE("contact: a contact closes when its body only turns differently", "[A5.2][contact]")
+{
+    // A dumbbell with M = 1 and I = 1 turns at 1 rad/s about z. The two last contacts brake it by
+    // opposite impulses, so that V is 0 after each iteration. In the second iteration the end at
+    // x = 1 rises at 0.5 m/s only, and the first contact asks for 0.75 m/s.
+    Body dumbbell = block(1, {0, 0, 0});
+    dumbbell.inverse_inertia = Matrix3d::Identity();
+    dumbbell.angular_velocity = dumbbell.angular_momentum = {0, 0, 1};
+    ContactCase problem = {{Body(), dumbbell},
+                           {touch(1, 0, 0.03, {1, 0, 0}), touch(1, 0, 0.02, {0, 1, 0}),
+                            touch(1, 0, 0.01, {0, -1, 0})}};
+    problem.contacts[0].separation_speed = 0.75;
+    problem.contacts[1].normal = {1, 0, 0};
+    problem.contacts[2].normal = {-1, 0, 0};
+    const ContactResult result = resolved(problem, 2);
+    REQUIRE_THAT(result.impulses,
+                 IsClose(std::vector<Vector3d>{{0, 0.125, 0}, {0.5625, 0, 0}, {-0.5625, 0, 0}},
+                         Rounding(16, 1)));
 }
 
 TEST_CASE("contact: a gentle sweep shares the load more evenly", "[A5.2][contact]")
