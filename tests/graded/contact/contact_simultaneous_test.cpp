@@ -82,13 +82,13 @@ TEST_CASE("contact: friction follows the impulse along the normal at any separat
 
 TEST_CASE("contact: λ is the larger of two eigenvalues that are nearly equal", "[A5.5][contact]")
 {
-    // At (δ, 0, δ/2) the lever arm of the ball is r = (δ, -1, δ/2), and I = 0.4 δ. So
-    // nᵀ K n = 1 + 2.5 (r² - 1), and λ = 1 + 2.5 r², across r and n.
+    // At 0.1 (δ, 0, δ/2) the lever arm of the ball is r = 0.1 (δ, -1, δ/2), and 1/I is 250. So
+    // nᵀ K n = 1 + 2.5 · 1.25 δ², and λ = 1 + 250 r², across r and n.
     for (int power = 1; power <= 30; ++power) {
         CAPTURE(power);
-        const double delta = std::ldexp(1, -power), squared = 1.25 * delta * delta; // r² - 1
+        const double delta = std::ldexp(1, -power), squared = 1.25 * delta * delta;
         ContactCase problem = ball_on_floor({0.3, -2, 0.4}, 0.5);
-        problem.contacts[0].point = {delta, 0, delta / 2};
+        problem.contacts[0].point = {0.1 * delta, 0, 0.05 * delta};
         const double j_n = 2 / (1 + 2.5 * squared), lambda = 3.5 + 2.5 * squared;
         check_impulses(resolved(problem, 1), {{-0.3 / lambda, j_n, -0.4 / lambda}});
     }

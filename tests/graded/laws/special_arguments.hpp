@@ -159,9 +159,10 @@ template <class T> void make_argument_special(T& value, const Quantity& q, Rando
 }
 
 /// Makes half of the vectors and matrices of an argument zero that may be zero, so that all
-/// combinations of zero and other ones occur.
+/// combinations of zero and other ones occur. Parts of a quaternion are zero elsewhere.
 template <class T> void make_zero(T& value, const Quantity& q, Random& random)
 {
+    if constexpr (std::is_same_v<T, Quaternion>) return;
     const T before = value;
     each_pair(value, before, q, false, [&](auto& leaf, const auto&, const Quantity& of) {
         using Leaf = std::remove_cvref_t<decltype(leaf)>;
@@ -170,11 +171,10 @@ template <class T> void make_zero(T& value, const Quantity& q, Random& random)
         if constexpr (is_vector || is_matrix) {
             const bool has_size = of.kind == Kind::unit || of.kind == Kind::along_axes ||
                                   of.kind == Kind::rotation || of.kind == Kind::definite ||
-                                  of.kind == Kind::columns;
+                                  of.kind == Kind::columns || of.kind == Kind::orientation;
             if (!has_size && one_in(2, random)) leaf.setZero();
         }
     });
-    make_unit(value, q);
 }
 
 template <class T> void nudge_argument(T& value, const Quantity& q, double t, Random& random)
