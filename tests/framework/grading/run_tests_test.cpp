@@ -24,16 +24,6 @@ Task task_worth(double points, const std::string& tag = "A2.1", bool is_hidden =
     return task;
 }
 
-std::vector<TestCase> tests_with(const std::vector<Status>& statuses)
-{
-    std::vector<TestCase> tests;
-    for (const Status status : statuses) {
-        tests.emplace_back();
-        tests.back().status = status;
-    }
-    return tests;
-}
-
 std::string line_of(const std::string& tag, const std::string& status)
 {
     return R"({"tag":")" + tag + R"(","name":"topic: a law","status":")" + status +
@@ -89,39 +79,6 @@ Result graded(const std::string& lines, const std::string& ending, bool oracle =
 }
 
 } // namespace
-
-TEST_CASE("scoring: points are earned whole", "[scoring]")
-{
-    using enum Status;
-    REQUIRE(score_task(task_worth(3), tests_with({passed, passed})).score == 3);
-    const TaskResult one_wrong = score_task(task_worth(3), tests_with({passed, failed, passed}));
-    REQUIRE(one_wrong.score == 0);
-    REQUIRE(one_wrong.max_score == 3);
-    REQUIRE(one_wrong.status == failed);
-}
-
-TEST_CASE("scoring: a part is earned by its own law", "[scoring]")
-{
-    using enum Status;
-    Task task = task_worth(6);
-    task.parts = {{"a law", 2}, {"another law", 1}};
-    const auto score = [&](Status first, Status second, Status third) {
-        std::vector<TestCase> tests = tests_with({first, second, third});
-        tests[0].name = "a law";
-        tests[1].name = "another law";
-        return score_task(task, tests);
-    };
-    CHECK(score(passed, passed, passed).score == 6);
-    CHECK(score(passed, passed, failed).score == 3);
-    CHECK(score(passed, failed, passed).score == 2);
-    CHECK(score(failed, passed, passed).score == 1);
-    CHECK(score(failed, crashed, passed).score == 0);
-    CHECK(score(timed_out, passed, not_finite).score == 1);
-    CHECK(score(not_implemented, not_implemented, not_implemented).score == 0);
-    CHECK(score(passed, passed, failed).max_score == 6);
-    task.discloses = Disclosure::nothing;
-    CHECK(score(passed, passed, failed).score == 3);
-}
 
 TEST_CASE("scoring: a task keeps the better of two results", "[scoring]")
 {
@@ -237,28 +194,6 @@ TEST_CASE("scoring: points for a law that no test has are a fault of ours", "[sc
     CHECK(result.message == "task A2.1 has points for a law that no test has: \"topic: a low\"");
 }
 
-TEST_CASE("scoring: a task without a test earns nothing and counts nothing", "[scoring]")
-{
-    const TaskResult result = score_task(task_worth(3), {});
-    REQUIRE(result.status == Status::skipped);
-    REQUIRE(result.score == 0);
-    REQUIRE(result.max_score == 0);
-}
-
-TEST_CASE("scoring: a task is as bad as its worst test", "[scoring]")
-{
-    using enum Status;
-    const std::vector<Status> from_good_to_bad = {passed,     skipped,   not_implemented, failed,
-                                                  not_finite, timed_out, crashed};
-    for (std::size_t bad = 1; bad < from_good_to_bad.size(); ++bad)
-        for (std::size_t good = 0; good < bad; ++good) {
-            const Status b = from_good_to_bad[bad], g = from_good_to_bad[good];
-            REQUIRE(score_task(task_worth(1), tests_with({g, b, g})).status == b);
-            REQUIRE(score_task(task_worth(1), tests_with({b, g})).first_failure()->status == b);
-            REQUIRE(score_task(task_worth(1), tests_with({b, g})).score == 0);
-        }
-}
-
 TEST_CASE("scoring: what the test program says is the score", "[scoring]")
 {
     const Result result = graded(verdict_of("A2.1", "passed") + verdict_of("A2.2", "failed") +
@@ -341,44 +276,6 @@ TEST_CASE("scoring: a verdict keeps numbers and seed and says each line once", "
     REQUIRE(test.tolerance == "1e-15");
     REQUIRE(test.is_hidden);
     REQUIRE(verdicts.of("A2.2").empty());
-}
-
-TEST_CASE("scoring: a failure tells no more than its task discloses", "[scoring]")
-{
-    Task task = task_worth(2);
-    std::vector<TestCase> tests = tests_with({Status::passed, Status::failed, Status::crashed});
-    for (TestCase& test : tests) {
-        test.name = "topic: a law";
-        test.message = test.expected = test.actual = test.error = test.hint = "42";
-        test.mistake = "Twice 21.";
-        test.seed = 7;
-    }
-    const auto told = [&] {
-        TaskResult result = score_task(task, tests);
-        hide_undisclosed(result);
-        return result;
-    };
-    REQUIRE(told().tests[2].message == "42");
-    REQUIRE(told().mistake() == "Twice 21.");
-    task.discloses = Disclosure::law;
-    const TaskResult law = told();
-    REQUIRE(law.status == Status::crashed);
-    REQUIRE(law.tests.size() == 3);
-    REQUIRE(law.mistake() == "");
-    for (const TestCase& test : law.tests) {
-        REQUIRE(test.name == "topic: a law");
-        REQUIRE((test.message + test.expected + test.actual + test.error + test.hint).empty());
-        REQUIRE_FALSE(test.seed);
-    }
-    task.discloses = Disclosure::nothing;
-    const TaskResult nothing = told();
-    REQUIRE(nothing.status == Status::crashed);
-    REQUIRE(nothing.score == 0);
-    REQUIRE(nothing.tests.size() == 1);
-    REQUIRE(nothing.tests[0].name.empty());
-    REQUIRE(nothing.mistake() == "");
-    task.discloses = Disclosure::all;
-    REQUIRE(score_task(task, tests_with({Status::passed})).score == 2);
 }
 
 namespace {
