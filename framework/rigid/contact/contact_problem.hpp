@@ -7,9 +7,11 @@
 #include "rigid/bodies/counters.hpp"
 #include "rigid/bodies/drive.hpp"
 #include "rigid/bodies/settings.hpp"
+#include "rigid/bodies/step_memory.hpp"
 #include "rigid/detection/contact.hpp"
 #include "rigid/parallel/uninitialized_vector.hpp"
 
+#include <limits>
 #include <span>
 
 namespace rigor {
@@ -104,6 +106,10 @@ struct Island {
     // the impact since the start of the step [s]. Otherwise 0. Set by `bounce_at_impacts`
     // (step/impact.hpp).
     double lands_at = 0;
+    // The bounces that `bounce_at_impacts` moved to their times of impact, and the first of these
+    // times since the start of the step [s].
+    std::vector<ContactRecord> moved_bounces;
+    double first_moved = std::numeric_limits<double>::infinity();
 };
 
 std::size_t contact_count(std::span<const ContactPair> pairs);

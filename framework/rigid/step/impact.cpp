@@ -231,21 +231,20 @@ bool bounced_on_two_sides(const ContactProblem& problem, const ContactPair& pair
 
 // Lets the pair bounce at its time of impact. Changes the states of the pair unless it returns
 // nothing.
-// @param lands_at  is set to the time of impact if the bodies would meet again in the rest of the
-//                  step
+// @param time  is set to the time of impact if it is before the end of this step [s]
 // @return the contacts with their impulses; an empty list if the computed time of impact is not
 //         before the end of this step; or nothing if no single bounce within the step was found
 std::optional<std::vector<ContactRecord>>
 bounce_at_impact(const World& world, const ContactProblem& problem, const ContactPair& contacts,
-                 std::vector<RigidState>& states, double& lands_at)
+                 std::vector<RigidState>& states, double& time)
 {
     if (bounced_on_two_sides(problem, contacts)) return std::nullopt;
     const double h = problem.time_step;
     const ContactConstraint& c = problem.contacts[contacts.first];
     const std::optional<Approach> approach = first_to_close(world, problem, contacts);
     if (!approach) return std::nullopt;
+    if (approach->gap <= touching_gap * c.radius) return std::nullopt; // they hit at the start
     const double predicted = approach->closes();
-    if (!(predicted > 0)) return std::nullopt;
     if (predicted >= h) { // in free flight, the bodies do not meet in this step
         fly_past(world, c, h, states);
         return std::vector<ContactRecord>();
@@ -262,10 +261,8 @@ bounce_at_impact(const World& world, const ContactProblem& problem, const Contac
     if (impact.islands.size() != 1) return std::nullopt;
     process_collisions(impact);
     std::vector<ContactRecord> records = records_of_bounce(impact, c);
-    if (records.empty()) {
-        lands_at = pair->time;
-        return std::nullopt;
-    }
+    time = pair->time;
+    if (records.empty()) return std::nullopt; // they would meet again in the rest of the step
     fly_on(*pair, impact, c, rest, states);
     return records;
 }
@@ -325,15 +322,29 @@ double time_of_impact(const World& world, const ContactProblem& problem, const C
 {
     const std::optional<Approach> first = first_to_close(world, problem, pair);
     if (!first) return std::numeric_limits<double>::infinity();
-    return first->gap > touching_gap * problem.contacts[pair.first].radius ? first->closes() : 0;
+    if (first->gap > touching_gap * problem.contacts[pair.first].radius) return first->closes();
+    if (first->speed <= 0) return 0;
+    // It opens, and closes again if v·n falls: speed t + ½ rate t² = 0.
+    return first->rate < 0 ? 2 * first->speed / -first->rate
+                           : std::numeric_limits<double>::infinity();
 }
 
-std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem& problem,
-                                             const std::vector<bool>& pulled,
-                                             const std::vector<Displacement>& displacements,
-                                             std::vector<RigidState>& states)
+double first_bounce(const World& world, const ContactProblem& problem)
 {
-    std::vector<ContactRecord> records;
+    double first = std::numeric_limits<double>::infinity();
+    for (const Island& island : problem.islands) {
+        first = std::min(first, island.first_moved);
+        for (const ContactPair& pair : island.pairs)
+            if (bounced(problem, pair))
+                first = std::min(first, time_of_impact(world, problem, pair));
+    }
+    return first;
+}
+
+void bounce_at_impacts(const World& world, ContactProblem& problem, const std::vector<bool>& pulled,
+                       const std::vector<Displacement>& displacements,
+                       std::vector<RigidState>& states)
+{
     for (Island& island : problem.islands) {
         if (std::none_of(island.pairs.begin(), island.pairs.end(),
                          [&](const ContactPair& pair) { return bounced(problem, pair); }))
@@ -349,16 +360,16 @@ std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem&
                 return pulled[i] || (!displacements.empty() && !displacements[i].is_zero());
             };
             if (moves_otherwise(c.body1) || moves_otherwise(c.body2)) continue;
-            double lands_at = 0;
-            const auto found = bounce_at_impact(world, problem, *pair, states, lands_at);
-            if (is_only_pair) island.lands_at = lands_at;
+            double time = 0;
+            const auto found = bounce_at_impact(world, problem, *pair, states, time);
+            if (!found && is_only_pair) island.lands_at = time;
             if (!found) continue;
-            records.insert(records.end(), found->begin(), found->end());
+            if (!found->empty()) island.first_moved = std::min(island.first_moved, time);
+            island.moved_bounces.insert(island.moved_bounces.end(), found->begin(), found->end());
             for (int i = pair->first; i < pair->last; ++i)
                 problem.contacts[i].collision_impulse.setZero();
         }
     }
-    return records;
 }
 
 } // namespace rigor

@@ -22,8 +22,12 @@ bool carries_load(const ContactProblem& problem, const ContactPair& pair);
 
 /// The time from the start of the step until the first contact of the pair closes, predicted from
 /// its gap, speed and acceleration [s]. It is infinity if no contact closes, and 0 if a contact is
-/// closed already.
+/// closed already and does not open.
 double time_of_impact(const World& world, const ContactProblem& problem, const ContactPair& pair);
+
+/// The time of the first bounce in this step, moved or not, since the start of the step [s]. It is
+/// infinity if there is none.
+double first_bounce(const World& world, const ContactProblem& problem);
 
 /// Moves bounces to their times of impact: the two bodies fly until they meet, bounce at that time,
 /// and fly on for the rest of the step. Such a bounce has the order of accuracy of free flight and
@@ -43,11 +47,11 @@ double time_of_impact(const World& world, const ContactProblem& problem, const C
 /// @param pulled         for each body, whether springs, applied forces or drag act on it
 /// @param displacements  the position corrections, one for each body, or an empty list
 /// @param states  the states of all bodies; the states of pairs whose bounce is moved are replaced
-/// @return the contacts of these bounces with their impulses; in `problem`, the impulses of all
-///         contacts of these pairs become zero, also if the two bodies only fly
-std::vector<ContactRecord> bounce_at_impacts(const World& world, ContactProblem& problem,
-                                             const std::vector<bool>& pulled,
-                                             const std::vector<Displacement>& displacements,
-                                             std::vector<RigidState>& states);
+/// @param problem  its islands get the contacts of these bounces with their impulses
+///                 (`Island::moved_bounces`); the impulses of all contacts of these pairs become
+///                 zero, also if the two bodies only fly
+void bounce_at_impacts(const World& world, ContactProblem& problem, const std::vector<bool>& pulled,
+                       const std::vector<Displacement>& displacements,
+                       std::vector<RigidState>& states);
 
 } // namespace rigor

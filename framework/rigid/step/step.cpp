@@ -8,7 +8,8 @@
 // are repeated in two parts, such as those with too much new overlap, or with an impact that
 // decides what follows (substeps/adaptive_substeps.hpp lists the cases). The step of the whole
 // world is repeated in two halves if a body may have penetrated another one where the search for
-// contacts did not look, or if forces are too fast for friction. Last, islands at rest fall asleep.
+// contacts did not look, or if forces are too fast for friction. If few bodies move, the first part
+// ends after their first bounce instead. Last, islands at rest fall asleep.
 #include "rigid/step/step.hpp"
 
 #include "rigid/bodies/non_finite.hpp"
@@ -30,6 +31,8 @@
 #include "rigid/step/substeps/adaptive_substeps.hpp"
 #include "rigid/step/supported_flight.hpp"
 #include "rigid/step/velocity_update.hpp"
+
+#include <algorithm>
 
 namespace rigor {
 
@@ -62,19 +65,56 @@ std::vector<Displacement> sum(std::vector<Displacement> a, const std::vector<Dis
 // This bounds the run time if bodies fly about at high speeds, which wrong formulas may cause.
 constexpr int most_halvings = 6;
 
-// A step, or a part of a step that was divided.
-// @param divisions  the depth of this part in the recursion, 0 for the whole step
-std::vector<ContactRecord> step_divided(World& world, double time_step, int divisions);
-
-// The step of the whole world in two halves. A contact is listed once for each half in which it got
-// an impulse.
-std::vector<ContactRecord> step_in_halves(World& world, double time_step, int divisions)
+bool is_small(const World& world)
 {
-    std::vector<ContactRecord> records = step_divided(world, time_step / 2, divisions + 1);
-    const std::vector<ContactRecord> second = step_divided(world, time_step / 2, divisions + 1);
+    const auto moves = [](const RigidBody& body) { return !body.is_static; };
+    return std::count_if(world.bodies.begin(), world.bodies.end(), moves) <=
+           static_cast<std::ptrdiff_t>(few_bodies);
+}
+
+// Whether the step may be divided into halves once more. In a world of few bodies, divisions at
+// events do not count, because there may be many.
+bool may_be_halved(const World& world, const Divisions& divisions)
+{
+    return (is_small(world) ? divisions.halvings : divisions.all()) < most_halvings;
+}
+
+// A step, or a part of a step that was divided.
+// @param divisions  those on the way to this part, none for the whole step
+std::vector<ContactRecord> step_divided(World& world, double time_step, const Divisions& divisions);
+
+// The step of the whole world in two parts. A contact is listed once for each part in which it got
+// an impulse.
+// @param divisions  those on the way to the parts
+std::vector<ContactRecord> step_in_parts(World& world, double first_part, double second_part,
+                                         const Divisions& divisions)
+{
+    std::vector<ContactRecord> records = step_divided(world, first_part, divisions);
+    const std::vector<ContactRecord> second = step_divided(world, second_part, divisions);
     records.insert(records.end(), second.begin(), second.end());
-    --world.counters.steps; // the two halves count as one step
+    --world.counters.steps; // the two parts count as one step
     return records;
+}
+
+std::vector<ContactRecord> step_in_halves(World& world, double time_step,
+                                          const Divisions& divisions)
+{
+    return step_in_parts(world, time_step / 2, time_step / 2, divisions.with(true));
+}
+
+// The time just after the first bounce, if few bodies move and so may meet others after each
+// bounce; otherwise 0 [s]. From this time on, the search for contacts knows how the bodies move on.
+// It is also 0 if a contact carries a load, since the force of a load does not follow well from a
+// very short part.
+double after_first_bounce(const World& world, const ContactProblem& problem,
+                          const Divisions& divisions)
+{
+    if (!is_small(world) || divisions.all() >= most_divisions_of_few) return 0;
+    for (const Island& island : problem.islands)
+        for (const ContactPair& pair : island.pairs)
+            if (carries_load(problem, pair) && !bounced(problem, pair)) return 0;
+    const double time = first_bounce(world, problem) + alone_in_step * problem.time_step;
+    return time < problem.time_step ? time : 0;
 }
 
 // The results of free flight and of the search for contacts.
@@ -104,7 +144,7 @@ Flight fly_and_find_contacts(World& world, const std::vector<bool>& forced, doub
     }
 }
 
-std::vector<ContactRecord> step_divided(World& world, double time_step, int divisions)
+std::vector<ContactRecord> step_divided(World& world, double time_step, const Divisions& divisions)
 {
     // Only the reference's formulas are known to be thread-safe. With any other implementation, the
     // step runs on one thread.
@@ -128,7 +168,7 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, int divi
         apply_forces(world, island, after_collisions, forced_flight, problem);
         process_contact(problem, island, after_collisions);
     }
-    if (divisions < most_halvings && is_too_long_for_friction(world, problem, pulled)) {
+    if (may_be_halved(world, divisions) && is_too_long_for_friction(world, problem, pulled)) {
         bounced.restore();
         world.counters = before; // only the halves count
         return step_in_halves(world, time_step, divisions);
@@ -147,14 +187,16 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, int divi
                      bounced.bodies(), result.states);
     bounced.restore();
     leave_moving_frames(problem, after_collisions);
-    result.records = bounce_at_impacts(world, problem, pulled, displacements, result.states);
+    bounce_at_impacts(world, problem, pulled, displacements, result.states);
     const Refinement refined =
         refine_by_substeps(world, problem, after_collisions, pulled, candidates, result.states,
                            divisions, step_divided);
-    if (divisions < most_halvings &&
+    if (may_be_halved(world, divisions) &&
         has_missed_contact(world, problem, candidates, flown, result.states)) {
-        world.counters = before; // only the halves count
-        return step_in_halves(world, time_step, divisions);
+        const double time = after_first_bounce(world, problem, divisions);
+        world.counters = before; // only the parts count
+        return time > 0 ? step_in_parts(world, time, time_step - time, divisions.with(false))
+                        : step_in_halves(world, time_step, divisions);
     }
     collect_contacts(world, problem, candidates, refined, result);
     fall_asleep(world, problem, candidates.radii, forced, result);
@@ -166,7 +208,7 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, int divi
 std::vector<ContactRecord> step(World& world, double time_step)
 {
     if (is_single_body(world)) return step_single_body(world, time_step);
-    return step_divided(world, time_step, 0);
+    return step_divided(world, time_step, {});
 }
 
 } // namespace rigor

@@ -51,6 +51,8 @@ void collect_contacts(World& world, const ContactProblem& problem,
         append(result.warm_contacts, refined.warm_contacts);
         sort_by_bodies(result.warm_contacts);
     }
+    for (const Island& island : problem.islands)
+        append(result.records, island.moved_bounces);
     if (result.records.empty())
         result.records = std::move(records);
     else

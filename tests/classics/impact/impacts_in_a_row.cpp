@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Impacts one after the other: a row of balls of different masses, a light ball on a heavy one, a
 // cube that trips over a sill, and a cue ball that follows or draws back.
+#include "balls_on_a_line.hpp"
 #include "framework/rigid/worlds.hpp"
 
 #include "support/catch.hpp"
@@ -25,37 +26,6 @@ RigidBody ball_of_mass(double mass, const Vector3d& X)
     return ball;
 }
 
-struct OnLine {
-    double x = 0, v = 0, mass = 0;
-};
-
-// The velocities of balls on a line at time T, impact after impact by the laws of Huygens (1703,
-// "De motu corporum ex percussione").
-std::vector<OnLine> after(std::vector<OnLine> balls, double T)
-{
-    for (double t = 0; t < T;) {
-        double next = T - t;
-        int hit = -1;
-        for (int i = 0; i + 1 < static_cast<int>(balls.size()); ++i) {
-            const double closing = balls[i].v - balls[i + 1].v;
-            const double apart = balls[i + 1].x - balls[i].x - 2 * radius;
-            if (closing > 1e-12 && apart / closing < next) {
-                next = std::max(0.0, apart / closing);
-                hit = i;
-            }
-        }
-        for (OnLine& ball : balls)
-            ball.x += ball.v * next;
-        t += next;
-        if (hit < 0) break;
-        OnLine &a = balls[hit], &b = balls[hit + 1];
-        const double center = (a.mass * a.v + b.mass * b.v) / (a.mass + b.mass);
-        a.v = 2 * center - a.v;
-        b.v = 2 * center - b.v;
-    }
-    return balls;
-}
-
 } // namespace
 
 TEST_CASE("classics: a row of balls hands on what their masses allow", "[classics]")
@@ -67,22 +37,23 @@ TEST_CASE("classics: a row of balls hands on what their masses allow", "[classic
             for (const double h : {1 / 60., 1 / 240.}) {
                 CAPTURE(masses, v, h);
                 std::vector<RigidBody> bodies;
-                std::vector<OnLine> line;
+                BallsOnALine line;
+                line.radius = radius;
                 for (std::size_t i = 0; i < masses.size(); ++i) {
                     const double x = static_cast<double>(i) * (2 * radius + gap);
                     bodies.push_back(ball_of_mass(masses[i], {x, 0, 0}));
-                    line.push_back({x, 0, masses[i]});
+                    line.balls.push_back({x, 0, masses[i]});
                 }
                 bodies[0].state.velocity = {v, 0, 0};
-                line[0].v = v;
+                line.balls[0].v = v;
                 World world = world_of(bodies, {0, 0, 0});
                 world.settings.formulas_are_reference = true;
                 const int steps = static_cast<int>(std::lround(1 / h));
                 run(world, steps, h);
-                line = after(line, steps * h);
+                line.advance(steps * h);
                 for (std::size_t i = 0; i < masses.size(); ++i)
                     CHECK_THAT(world.bodies[i].state.velocity.x(),
-                               IsClose(line[i].v, Rounding(1e3, v)));
+                               IsClose(line.balls[i].v, Rounding(1e3, v)));
             }
 }
 

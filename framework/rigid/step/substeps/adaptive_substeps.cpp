@@ -112,23 +112,26 @@ bool is_pushed_together(const ContactProblem& problem, const ContactPair& pair)
 
 // Where the step of an island is divided in two parts.
 struct Division {
-    double time = 0;        // since the start of the step; 0 if the step is not divided [s]
-    bool is_free = false;   // whether the bodies are in free flight until `time`
-    bool is_apart = true;   // whether `time` is not nearly 0, see `apart` in `first_impact`
-    bool is_halved = false; // whether `time` is the middle of the step, and not that of an event
+    enum class At { event, middle, start }; // `start`: just after a bounce at the start of the step
+    double time = 0; // since the start of the step; 0 if the step is not divided [s]
+    At at = At::event;
+    bool is_free = false;     // whether the bodies are in free flight until `time`
+    bool is_apart = true;     // whether `time` is not nearly 0, see `apart` in `first_impact`
+    bool has_several = false; // whether other bounces follow that at `time`
 };
 
 constexpr double just_before = 1 - 1e-9; // so that the bounce lies in the later part
-// If a bounce is nearer to the start than this share of the step, an earlier division has already
-// predicted it, and this division only corrects the time.
+// If a bounce is nearer to the start than this share of the step, it counts as a bounce at the
+// start. An earlier division has already predicted it, and this division only corrects the time.
 constexpr double apart = 1e-6;
 
-// The first bounce that divides the step. Bounces with ε > 0 of these pairs count:
+// The first bounce that divides the step, or the end of the step if the bounces come later. Bounces
+// with ε > 0 of these pairs count:
 // 1. Two moving balls.
 // 2. A ball and a static body, in an island of at most `few_bodies` bodies where several pairs
-//    bounce and no contact carries a load. A load that stops bodies that were pushed together again
-//    (`is_hit_again`) does not count. (For any other load, the next step starts from its mean force
-//    in the later part of this step, so this part must not be very short.)
+//    bounce and no contact carries a load. The load of a contact that bounced does not count: it
+//    stops bodies that were pushed together again. (For any other load, the next step starts from
+//    its mean force in the later part of this step, so this part must not be very short.)
 //
 // A bounce that `bounce_at_impacts` has moved to its time of impact does not count. The exact time
 // matters, as in billiards: balls separate along the line of centers that they have at the impact.
@@ -136,33 +139,39 @@ constexpr double apart = 1e-6;
 // converges quadratically.
 Division first_impact(const World& world, const ContactProblem& problem, const Island& island)
 {
-    // A bounce at the start of the step changes the times of the other bounces. So the first
-    // part is this share of the step, which is short enough to contain only this bounce.
-    constexpr double alone = 1e-9;
     const auto count = [&](bool (*holds)(const ContactProblem&, const ContactPair&)) {
         return std::count_if(island.pairs.begin(), island.pairs.end(),
                              [&](const ContactPair& pair) { return holds(problem, pair); });
     };
     const std::ptrdiff_t bounces = count(bounced);
     const bool is_loaded = count([](const ContactProblem& in, const ContactPair& pair) {
-                               return carries_load(in, pair) && !is_hit_again(in, pair);
+                               return carries_load(in, pair) && !bounced(in, pair);
                            }) > 0;
     const bool is_small = island.bodies.size() <= few_bodies && bounces > 1 && !is_loaded;
 
-    double first = problem.time_step;
-    std::ptrdiff_t at_start = 0, later = 0;
+    const double h = problem.time_step;
+    double first = h, last_at_start = 0;
+    std::ptrdiff_t at_start = 0, later = 0, in_flight = 0; // numbers of bounces
     for (const ContactPair& pair : island.pairs) {
         const ContactConstraint& c = problem.contacts[pair.first];
         if (!bounced(problem, pair) || c.restitution == 0 || !moves_only_balls(world, c)) continue;
         const bool has_static = world.bodies[c.body1].is_static || world.bodies[c.body2].is_static;
         if (has_static && !is_small) continue;
         const double time = just_before * time_of_impact(world, problem, pair);
-        ++(time > 0 ? later : at_start);
-        if (time > 0) first = std::min(first, time);
+        ++(time > apart * h ? later : at_start);
+        if (time <= apart * h) last_at_start = std::max(last_at_start, time);
+        if (time == 0) continue;
+        ++in_flight;
+        first = std::min(first, time);
     }
-    const bool is_apart = first > apart * problem.time_step;
-    if (at_start > 0 && later > 0 && !is_loaded) return {alone * problem.time_step, false, false};
-    if (first < problem.time_step) return {first, !is_loaded && later == bounces, is_apart};
+    // A bounce at the start of the step changes the times of the other bounces, so the first part
+    // ends just after it.
+    if (at_start > 0 && later > 0 && !is_loaded)
+        return {last_at_start + alone_in_step * h, Division::At::start};
+    // Gravity bends the paths, so it may be that no impact is within the step. Then all fly freely.
+    const bool is_free = bounces > 0 && in_flight == bounces && !is_loaded;
+    if (first < h || is_free)
+        return {first, Division::At::event, is_free, first > apart * h, bounces > 1};
     return {};
 }
 
@@ -181,7 +190,7 @@ Division first_impact_under_forces(const World& world, const ContactProblem& pro
         else if (carries_load(problem, pair))
             return {};
     if (first <= apart * problem.time_step) return {};
-    return {std::min(just_before * first, problem.time_step), true, true};
+    return {std::min(just_before * first, problem.time_step), Division::At::event, true};
 }
 
 // Moves the bodies of a world by free flight.
@@ -195,8 +204,8 @@ void fly_freely(World& world, double time)
     world.time += time;
 }
 
-void take_substep(IslandWorld& part, const StepOfPart& step, int divisions, double time,
-                  Refinement& refined)
+void take_substep(IslandWorld& part, const StepOfPart& step, const Divisions& divisions,
+                  double time, Refinement& refined)
 {
     for (ContactRecord record : step(part.world, time, divisions)) {
         record.body1 = part.bodies[record.body1];
@@ -214,15 +223,14 @@ void keep_warm_contacts(const IslandWorld& part, Refinement& refined)
     }
 }
 
-// Where the step of an island is divided at this depth of the recursion, by the cases of the
-// header.
+// Where the step of an island is divided, by the cases of the header.
 Division division_of(const World& world, const ContactProblem& problem, const Island& island,
-                     const std::vector<Body>& first, const std::vector<bool>& pulled, int divisions,
-                     OverlapCheck& overlaps_anew)
+                     const std::vector<Body>& first, const std::vector<bool>& pulled,
+                     const Divisions& divisions, OverlapCheck& overlaps_anew)
 {
-    const bool is_at_limit = divisions >= most_divisions;
+    const bool is_at_limit = divisions.all() >= most_divisions;
     const bool is_large = island.bodies.size() > (is_at_limit ? few_bodies : most_refined);
-    if (is_large || divisions >= most_divisions_of_few) return {};
+    if (is_large || divisions.all() >= most_divisions_of_few) return {};
     const double h = problem.time_step;
     const bool is_pulled =
         std::any_of(island.bodies.begin(), island.bodies.end(), [&](int i) { return pulled[i]; });
@@ -230,28 +238,31 @@ Division division_of(const World& world, const ContactProblem& problem, const Is
     if (is_pulled)
         division = first_impact_under_forces(world, problem, island);
     else if (island.lands_at > apart * h)
-        division = {just_before * island.lands_at, true, true};
+        division = {just_before * island.lands_at, Division::At::event, true};
     else
         division = first_impact(world, problem, island);
-    if (is_at_limit) return division.is_apart ? division : Division();
+    division.is_free &= island.moved_bounces.empty();
+    // Each further division must resolve one more bounce, which a second bounce at the same time as
+    // the first may not be: a body that rests would bounce again and again.
+    const bool is_again = division.at == Division::At::start && divisions.is_after_bounce;
+    if (is_at_limit) return division.is_apart && !is_again ? division : Division();
     if (division.time > 0) return division;
 
     const auto is_any = [&](const auto& condition) {
         return std::any_of(island.pairs.begin(), island.pairs.end(), condition);
     };
     const auto pushed = [&](const ContactPair& pair) { return is_pushed_together(problem, pair); };
-    division.is_halved = is_pulled ? is_any(pushed) : is_any(std::ref(overlaps_anew));
-    if (division.is_halved)
-        division.time = h / 2;
-    else if (divisions < most_divisions_of_sliding)
+    if (is_pulled ? is_any(pushed) : is_any(std::ref(overlaps_anew)))
+        division = {h / 2, Division::At::middle};
+    else if (divisions.all() < most_divisions_of_sliding)
         division.time = end_of_sliding(problem, island, first);
     return division;
 }
 
 // The parts do not count as steps of the world. If the step was divided at an impact, both the
 // first attempt and the parts counted its bounces, so one bounce is subtracted for each pair that
-// bounced. If the step was halved, the counters include the work of the first attempt and of the
-// halves.
+// bounced, at its time of impact or not. If the step was halved, the counters include the work of
+// the first attempt and of the halves.
 void count_parts(const World& parts, const ContactProblem& problem, const Island& island,
                  bool is_halved, Counters& counters)
 {
@@ -259,21 +270,27 @@ void count_parts(const World& parts, const ContactProblem& problem, const Island
     counters = parts.counters;
     counters.steps = steps;
     if (is_halved) return;
+    const auto& moved = island.moved_bounces;
     counters.collision_impulses -=
-        std::count_if(island.pairs.begin(), island.pairs.end(),
-                      [&](const ContactPair& pair) { return bounced(problem, pair); });
+        std::count_if(island.pairs.begin(), island.pairs.end(), [&](const ContactPair& pair) {
+            const ContactConstraint& c = problem.contacts[pair.first];
+            return bounced(problem, pair) ||
+                   std::any_of(moved.begin(), moved.end(), [&](const ContactRecord& record) {
+                       return record.body1 == c.body1 && record.body2 == c.body2;
+                   });
+        });
 }
 
 } // namespace
 
 Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::vector<Body>& first,
                               const std::vector<bool>& pulled, const ContactCandidates& candidates,
-                              std::vector<RigidState>& states, int divisions,
+                              std::vector<RigidState>& states, const Divisions& divisions,
                               const StepOfPart& step)
 {
     Refinement refined;
     OverlapCheck overlaps_anew(world, problem, candidates, states);
-    for (const Island& island : problem.islands) {
+    for (Island& island : problem.islands) {
         const Division division =
             division_of(world, problem, island, first, pulled, divisions, overlaps_anew);
         if (division.time == 0) continue;
@@ -282,21 +299,32 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::
         if (!moved) continue;
         IslandWorld part = island_world(world, *moved, candidates.contacts);
         const double h = problem.time_step;
-        if (division.is_free) {
-            fly_freely(part.world, division.time);
-        } else {
+        constexpr Divisions at_limit = {0, most_divisions_of_few};
+        const bool is_halved = division.at == Division::At::middle;
+        Divisions of_parts = divisions.with(is_halved);
+        of_parts.is_after_bounce = division.at == Division::At::start;
+        double rest = h - division.time;
+        if (!division.is_free) {
             // From `most_divisions` on, only the later part is divided again. So the number of
             // parts grows in proportion to the number of bounces, and not exponentially.
-            const int of_first =
-                divisions >= most_divisions ? most_divisions_of_few : divisions + 1;
-            take_substep(part, step, of_first, division.time, refined);
+            const bool is_final = divisions.all() >= most_divisions;
+            take_substep(part, step, is_final ? at_limit : of_parts, division.time, refined);
+        } else {
+            fly_freely(part.world, division.time);
+            // The bounce changes the times of the others, so it is alone in a part of the step.
+            const double alone = alone_in_step * h;
+            if (division.has_several && rest > alone) {
+                take_substep(part, step, at_limit, alone, refined);
+                rest -= alone;
+            }
         }
-        if (division.time < h) take_substep(part, step, divisions + 1, h - division.time, refined);
+        if (rest > 0) take_substep(part, step, of_parts, rest, refined);
         keep_warm_contacts(part, refined);
         for (std::size_t k = 0; k < part.bodies.size(); ++k)
             if (!part.world.bodies[k].is_static)
                 states[part.bodies[k]] = part.world.bodies[k].state;
-        count_parts(part.world, problem, island, division.is_halved, world.counters);
+        count_parts(part.world, problem, island, is_halved, world.counters);
+        island.moved_bounces.clear();
         for (const ContactPair& pair : island.pairs)
             for (int i = pair.first; i < pair.last; ++i) {
                 problem.contacts[i].collision_impulse.setZero();

@@ -16,18 +16,28 @@ struct Refinement {
     std::vector<WarmContact> warm_contacts;
 };
 
-/// Does a part of a divided step of a world and returns its contacts.
-/// @param divisions  the depth of this part in the recursion: 1 for a part of the step, 2 for a
-///                   part of a part, and so on
-using StepOfPart =
-    std::function<std::vector<ContactRecord>(World& world, double time_step, int divisions)>;
+/// How often a step was divided on the way to one of its parts: in the middle, and at the time of
+/// an event, which is an impact or the end of sliding.
+struct Divisions {
+    int halvings = 0, events = 0;
+    bool is_after_bounce = false; // whether the last one was just after a bounce at the start
 
-/// The limits of `divisions`, which bound the run time. A part after ten halvings is a 1024th of
-/// the step. In an island of at most `few_bodies` bodies, more divisions are allowed at impacts
-/// whose times differ: each such division resolves one more bounce, whose energy would be lost
-/// otherwise.
+    int all() const { return halvings + events; }
+    Divisions with(bool is_halved) const { return {halvings + is_halved, events + !is_halved}; }
+};
+
+/// Does a part of a divided step of a world and returns its contacts.
+using StepOfPart = std::function<std::vector<ContactRecord>(World& world, double time_step,
+                                                            const Divisions& divisions)>;
+
+/// The limits of `Divisions::all`, which bound the run time. Ten halvings make parts that take a
+/// 1024th of the step. In an island of at most `few_bodies` bodies, more divisions are allowed at
+/// impacts whose times differ: each such division resolves one more bounce, whose energy would be
+/// lost otherwise.
 inline constexpr int most_divisions = 10;
 inline constexpr int most_divisions_of_few = 400;
+/// A share of the step that is so short that no second bounce follows a first one in it.
+inline constexpr double alone_in_step = 1e-9;
 /// Parts of this depth are not divided at the end of sliding: the step is divided at the predicted
 /// time, and its parts at the corrected one.
 inline constexpr int most_divisions_of_sliding = 2;
@@ -67,11 +77,11 @@ inline constexpr int most_divisions_of_sliding = 2;
 /// @param first    the bodies before the forces
 /// @param pulled   for each body, whether springs, applied forces or drag act on it
 /// @param states   the states after the step; those of repeated islands are replaced
-/// @param divisions  the depth of this step in the recursion, 0 for the whole step
+/// @param divisions  those on the way to this step, none for the whole step
 /// @param step     advances a world by one part of the step; it may divide this part again
 Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::vector<Body>& first,
                               const std::vector<bool>& pulled, const ContactCandidates& candidates,
-                              std::vector<RigidState>& states, int divisions,
+                              std::vector<RigidState>& states, const Divisions& divisions,
                               const StepOfPart& step);
 
 } // namespace rigor
