@@ -101,8 +101,11 @@ void move_explicitly(const NodeMotion& motion)
         slow_down(motion, h);
         move_held(work.held, solid.velocities);
         collide(false);
+        // A solid that touches nothing falls with the mean of its velocities before and after.
+        const bool is_free = work.held.empty() && work.contacts.all().empty();
+        const Vector3d back = is_free ? Vector3d(-h * h / 2 * motion.gravity) : Vector3d::Zero();
         for (std::size_t i = 0; i < solid.positions.size(); ++i)
-            solid.positions[i] += h * solid.velocities[i];
+            solid.positions[i] += h * solid.velocities[i] + back;
         correct_node_positions(solid, work.held_axes, work.contacts, h / step, h * motion.radius);
         if (flows_in_step(solid)) {
             work.elements.strains(solid.positions, work.strains);

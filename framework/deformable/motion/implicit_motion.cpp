@@ -166,13 +166,14 @@ void move_implicitly(const NodeMotion& motion)
     work.contact_set.guess({solid, motion.rigid, work.bodies, contacts, work.held_axes,
                             motion.gravity, h, motion.radius});
     solve_with_flow(motion);
-    work.velocity_system.restore_momentum(solid, work.held, work.contact_set.tied_by(), h);
+    work.velocity_system.restore_momenta(solid, work.held, work.contact_set.tied_by(), h);
 
     push_bodies(motion);
     solid.velocities = work.velocity_system.velocities;
     push_by_held_nodes(solid, work.held_axes, work.contacts, motion.rigid, h, motion.counters);
     for (std::size_t i = 0; i < solid.positions.size(); ++i)
-        solid.positions[i] += h * solid.velocities[i];
+        solid.positions[i] +=
+            h * solid.velocities[i] + work.velocity_system.shift(static_cast<int>(i));
     correct_node_positions(solid, work.held_axes, work.contacts, 1, h * motion.radius);
     for (const HeldNode& held : work.held)
         work.held_axes[held.node] = {};

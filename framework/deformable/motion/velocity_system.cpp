@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Assembles the linear system of backward Euler, A v = M v₀ + h f(x₀). After the solve, the code
-// restores the momentum of each connected piece of the solid that neither handles nor contacts
-// hold: all nodes of the piece get the same additional velocity, which adds the missing momentum.
+// restores the momentum and the angular momentum of each connected piece of the solid that neither
+// handles nor contacts hold: its nodes also get the velocities of a rigid motion that has what is
+// missing. The forces between nodes add up to no force and no torque in their places x₀. The new
+// places are x₀ + h v, so the angular momentum at the end is Σ m x₀ × v.
 #include "deformable/motion/velocity_system.hpp"
 
 namespace rigor {
@@ -18,26 +20,48 @@ void VelocitySystem::assemble(const Deformable& solid, const ElementWorkspace& e
     velocities = solid.velocities;
 }
 
-void VelocitySystem::restore_momentum(const Deformable& solid, const std::vector<HeldNode>& held,
-                                      const std::vector<int>& tied_by, double time_step)
+void VelocitySystem::restore_momenta(const Deformable& solid, const std::vector<HeldNode>& held,
+                                     const std::vector<int>& tied_by, double time_step)
 {
     const BlockMatrix& A = system.matrix();
-    is_part_held_.assign(A.parts(), 0);
+    const std::vector<Vector3d>& x = solid.positions;
+    const double slowed = 1 + time_step * solid.material.drag;
+    parts_.assign(A.parts(), {});
     for (const HeldNode& h : held)
-        is_part_held_[A.part_of(h.node)] = 1;
+        parts_[A.part_of(h.node)].is_held = true;
     for (int i = 0; i < static_cast<int>(tied_by.size()); ++i)
-        if (tied_by[i] >= 0) is_part_held_[A.part_of(i)] = 1;
-    missing_.assign(A.parts(), {});
-    for (int i = 0; i < A.nodes(); ++i) { // the forces between nodes cancel in this sum
-        const double m = (1 + time_step * solid.material.drag) * solid.masses[i];
-        Missing& part = missing_[A.part_of(i)];
-        part.momentum += momenta[i] - m * velocities[i];
+        if (tied_by[i] >= 0) parts_[A.part_of(i)].is_held = true;
+
+    for (int i = 0; i < A.nodes(); ++i) {
+        Part& part = parts_[A.part_of(i)];
+        const double m = solid.masses[i];
         part.mass += m;
+        part.X += m * x[i];
+        part.start_momentum += m * solid.velocities[i];
+        part.momentum += momenta[i] - slowed * m * velocities[i];
+    }
+    for (Part& part : parts_)
+        part.X /= part.mass;
+    for (int i = 0; i < A.nodes(); ++i) {
+        Part& part = parts_[A.part_of(i)];
+        const double m = solid.masses[i];
+        const Vector3d d = x[i] - part.X;
+        part.angular_momentum += d.cross(momenta[i] - slowed * m * velocities[i]);
+        part.inertia += m * (d.squaredNorm() * Matrix3d::Identity() - d * d.transpose());
+    }
+    for (Part& part : parts_) {
+        if (part.is_held) continue;
+        part.V = part.momentum / (slowed * part.mass);
+        part.omega = part.inertia.ldlt().solve(part.angular_momentum) / slowed;
     }
     for (int i = 0; i < A.nodes(); ++i) {
-        const int p = A.part_of(i);
-        if (!is_part_held_[p]) velocities[i] += missing_[p].momentum / missing_[p].mass;
+        Part& part = parts_[A.part_of(i)];
+        velocities[i] += part.V + part.omega.cross(x[i] - part.X);
+        part.end_momentum += solid.masses[i] * velocities[i];
     }
+    for (Part& part : parts_)
+        if (!part.is_held)
+            part.shift = time_step / 2 * (part.start_momentum - part.end_momentum) / part.mass;
 }
 
 } // namespace rigor

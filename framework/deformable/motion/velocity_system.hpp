@@ -17,12 +17,19 @@ struct VelocitySystem {
     void assemble(const Deformable& solid, const ElementWorkspace& elements,
                   const std::vector<Vector3d>& forces, double time_step);
 
-    /// Restores the exact momentum of each part (connected piece of the solid) that neither handles
-    /// nor contacts hold. Conjugate gradients conserve it only up to their tolerance.
+    /// Restores the exact momentum and angular momentum of each free part: a connected piece of the
+    /// solid that neither handles nor contacts hold. Conjugate gradients conserve the momentum only
+    /// up to their tolerance. The angular momentum also changes because the matrix has constant
+    /// rotations, and because the damping -β K v acts on the rotation of a stretched solid.
     ///
     /// @param tied_by  for each node, the contact that prescribes its velocity, or -1 for none
-    void restore_momentum(const Deformable& solid, const std::vector<HeldNode>& held,
-                          const std::vector<int>& tied_by, double time_step);
+    void restore_momenta(const Deformable& solid, const std::vector<HeldNode>& held,
+                         const std::vector<int>& tied_by, double time_step);
+
+    /// How far each node of a free part has to be moved back after a step with the new velocity, so
+    /// that the center of mass moves with the mean of its velocities at the start and at the end;
+    /// 0 for other nodes [m]. Known after `restore_momenta`.
+    const Vector3d& shift(int node) const { return parts_[system.matrix().part_of(node)].shift; }
 
     ImplicitSystem system;
     std::vector<Vector3d> momenta;    // b for each node [N s]
@@ -30,14 +37,20 @@ struct VelocitySystem {
     std::vector<TiedNode> ties;       // the prescribed velocities of nodes in the latest solve
 
 private:
-    /// The missing momentum of a part of the solid [N s], and the mass of this part [kg] times
-    /// 1 + α h, with the drag α and the time step h.
-    struct Missing {
-        Vector3d momentum = Vector3d::Zero();
-        double mass = 0;
+    // A connected piece of the solid.
+    struct Part {
+        bool is_held = false;                       // by handles or contacts; then nothing is added
+        double mass = 0;                            // [kg]
+        Vector3d X = Vector3d::Zero();              // center of mass at the start [m]
+        Vector3d start_momentum = Vector3d::Zero(); // at the start of the step [N s]
+        Vector3d end_momentum = Vector3d::Zero();   // at its end [N s]
+        Vector3d momentum = Vector3d::Zero();       // missing after the solve [N s]
+        Vector3d angular_momentum = Vector3d::Zero(); // missing after the solve, about X [kg m²/s]
+        Matrix3d inertia = Matrix3d::Zero();          // about X [kg m²]
+        Vector3d V = Vector3d::Zero(), omega = Vector3d::Zero(); // what is added [m/s, rad/s]
+        Vector3d shift = Vector3d::Zero();                       // see `shift` [m]
     };
-    std::vector<char> is_part_held_;
-    std::vector<Missing> missing_; // for each part
+    std::vector<Part> parts_;
 };
 
 } // namespace rigor
