@@ -100,8 +100,8 @@ MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples
 /// One method sums over the signed tetrahedra that the triangles form with the origin; another one
 /// uses the divergence theorem, which turns the integrals into sums over the surface (Mirtich 1996,
 /// "Fast and accurate computation of polyhedral mass properties"). Open mesh: any finite result is
-/// correct. Mesh inside out: mass and inertia change their sign, the center does not. No volume, or
-/// density 0: all results are zero.
+/// correct. Mesh inside out: mass and inertia change their sign, the center does not. A triangle
+/// without area counts for nothing. No volume, or density 0: all results are zero.
 ///
 /// @param density  ρ [kg/m³]
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density);

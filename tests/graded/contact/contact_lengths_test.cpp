@@ -133,7 +133,7 @@ TEST_CASE("contact: the levels of any number of bodies", "[A5.3][contact]")
 {
     for (const int n : lengths(0, most)) {
         CAPTURE(n);
-        // columns of four bodies on static ones, and a last body that rests on all others
+        // columns of four bodies on static ones, a body that rests on all others, and three on it
         std::vector<std::vector<int>> rests_on(static_cast<std::size_t>(n));
         std::vector<bool> is_static(static_cast<std::size_t>(n));
         std::vector<int> expected;
@@ -147,6 +147,11 @@ TEST_CASE("contact: the levels of any number of bodies", "[A5.3][contact]")
             rests_on.back().push_back(i);
         is_static.push_back(false);
         expected.push_back(1 + std::min(std::max(n - 1, 0), 4));
+        for (int i = n; i < n + 3; ++i) {
+            rests_on.push_back({i});
+            is_static.push_back(false);
+            expected.push_back(expected.back() + 1);
+        }
         REQUIRE_THAT(contact_levels(rests_on, is_static), IsExactly(expected));
     }
 }

@@ -193,6 +193,27 @@ TEST_CASE("contact: friction is shortened by the new push", "[A5.5][contact]")
     REQUIRE_THAT(result.bodies[1].velocity, IsClose(Vector3d(2.8, 0, 0), Rounding(64, 8)));
 }
 
+TEST_CASE("contact: friction is shortened even if nothing slides", "[A5.5][contact]")
+{
+    // With the guess the ball has the velocity (0, s, 0), and the new push is 4 - s.
+    for (const double s : {1.0, 3.0, 3.9}) {
+        CAPTURE(s);
+        ContactCase problem{{Body(), block(1, {-1, s - 4, 0})}, {touch(1, 0, 0, {0, 0, 0}, 0.25)}};
+        problem.contacts[0].impulse = {1, 4, 0};
+        check_impulses(resolved(problem, 1), {{(4 - s) / 4, 4 - s, 0}});
+    }
+}
+
+TEST_CASE("contact: friction counts however slowly the contact slides", "[A5.5][contact]")
+{
+    for (int power = 2; power <= 60; power += 2) {
+        CAPTURE(power);
+        const double slow = std::ldexp(1, -power);
+        const ContactResult result = resolved(ball_on_floor({slow, -2, 0}, 0.5), 1);
+        REQUIRE_THAT(result.impulses[0].x(), IsClose(-slow / 3.5, Rounding(16)));
+    }
+}
+
 TEST_CASE("contact: a push that was too hard is taken back", "[A5.5][contact]")
 {
     ContactResult result = resolved(ball_on_floor({0, -1, 0}, 0, 10 * up), 1);

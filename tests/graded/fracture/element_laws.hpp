@@ -94,6 +94,30 @@ inline void check_sides(const TetrahedralMesh& mesh, const SplitMesh& result, in
     check_that(below > 0, "a copy of the vertex has matter below the plane");
 }
 
+// Checks that the parts of a tetrahedron that does not have the vertex stay together.
+inline void check_beside(const TetrahedralMesh& mesh, const SplitMesh& result, int vertex)
+{
+    std::map<int, std::vector<Tetrahedron>> parts; // for each tetrahedron without the vertex
+    for (std::size_t t = 0; t < result.parents.size(); ++t)
+        if (corner_of(mesh.tetrahedra[result.parents[t]], vertex) == 4)
+            parts[result.parents[t]].push_back(result.mesh.tetrahedra[t]);
+    const auto have_a_face = [](const Tetrahedron& a, const Tetrahedron& b) {
+        return std::count_if(a.begin(), a.end(), [&](int v) { return corner_of(b, v) < 4; }) == 3;
+    };
+    for (const auto& [parent, list] : parts) {
+        CAPTURE(parent);
+        std::vector<Tetrahedron> found = {list[0]}, others(list.begin() + 1, list.end());
+        for (std::size_t i = 0; i < found.size(); ++i)
+            for (std::size_t k = others.size(); k-- > 0;)
+                if (have_a_face(found[i], others[k])) {
+                    found.push_back(others[k]);
+                    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+                }
+        check_count(found.size(), list.size(),
+                    "parts of a tetrahedron without the vertex that hang together");
+    }
+}
+
 // Cuts a mesh at a vertex, and checks what holds for every cut that has matter on both sides.
 inline SplitMesh cut_at(const TetrahedralMesh& mesh, int vertex, const Vector3d& n)
 {
@@ -101,6 +125,7 @@ inline SplitMesh cut_at(const TetrahedralMesh& mesh, int vertex, const Vector3d&
     check_split(mesh, result);
     check_new_vertices(mesh, result, vertex, n);
     check_sides(mesh, result, vertex, n);
+    check_beside(mesh, result, vertex);
     return result;
 }
 

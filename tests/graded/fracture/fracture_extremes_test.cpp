@@ -223,6 +223,24 @@ TEST_CASE("fracture: any number of cracks beside an element changes nothing", "[
     }
 }
 
+TEST_CASE("fracture: a crack through corners cuts the same beside others", "[A7.7][fracture]")
+{
+    // The last crack passes through one corner or two; the others leave the element whole.
+    const Vector3d normals[] = {{1, -1, 0}, {1, -2, 0.5}, {0, 1, -3}, {2, -1, -1}};
+    for (const Vector3d& n : normals)
+        for (const int count : {1, 2, 3, 10}) {
+            CAPTURE(n, count);
+            const ElementCrack crack = {0, Vector3d::Zero(), n.normalized()};
+            Cracks cracks;
+            for (int i = 0; i < count; ++i)
+                cracks.push_back(corner_cut(0, 2 + i, i % 2 == 0 ? 1 : -1));
+            cracks.push_back(crack);
+            const EmbeddedMesh alone = embedded(unit_tetrahedron(), {crack}),
+                               beside = embedded(unit_tetrahedron(), cracks);
+            check_shares(beside, alone.fractions, Rounding(16, 1));
+        }
+}
+
 TEST_CASE("fracture: two cracks in one plane with opposite normals", "[A7.7][fracture]")
 {
     // The corners 0 and 3 lie in the plane x = y, so they are on the side of either normal. After

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A7.1 and A7.5 to A7.7: lists of every length, and meshes whose indices need more than 8, 16 or 20
 // bits, so that a key made of several indices may be the same for different faces or edges.
+#include "element_laws.hpp"
 #include "fracture_laws.hpp"
 #include "graded/laws/lengths.hpp"
 #include "virtual_nodes_laws.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
 
 namespace rigor::testing::fracture_lengths_test {
 
@@ -26,6 +31,8 @@ TetrahedralMesh apart(const std::vector<Tetrahedron>& tetrahedra, std::size_t ve
 
 // Numbers of indices with 8, 16 and 20 bits; of the latter, three fit into 64 bits.
 constexpr int index_counts[] = {narrow, wide, 1 << 20};
+// These, numbers for those who think in decimals, and the root of the largest index of 32 bits.
+constexpr int all_counts[] = {narrow, wide, 1 << 20, 1000, 10000, 100'000, 1'000'000, 46'341};
 
 // Pairs of tetrahedra with faces, edges or vertices that become one if an index is kept modulo B,
 // or if indices are added up with a factor B between them: (a, b + B, c) and (a + 1, b, c), the
@@ -93,6 +100,15 @@ std::pair<TetrahedralMesh, std::vector<MeshFace>> beside_similar_faces(int B, bo
             mesh.tetrahedra.push_back({tip + 1, face[0], face[1], face[2]});
         }
     return {mesh, named};
+}
+
+// A hash of three indices by Teschner et al. (2003), "Optimized spatial hashing for collision
+// detection of deformable objects". Its 32 bits tell most faces apart, but not all.
+constexpr std::uint32_t spatial_hash(const Triple& t)
+{
+    return static_cast<std::uint32_t>(t[0]) * 73856093u ^
+           static_cast<std::uint32_t>(t[1]) * 19349663u ^
+           static_cast<std::uint32_t>(t[2]) * 83492791u;
 }
 
 } // namespace
@@ -195,9 +211,7 @@ TEST_CASE("fracture: along a face between tetrahedra with similar indices", "[A7
 TEST_CASE("fracture: of faces with similar indices only those that are named open",
           "[A7.5][fracture]")
 {
-    std::vector<int> counts(std::begin(index_counts), std::end(index_counts));
-    counts.insert(counts.end(), {1000, 10000, 1000000}); // for those who think in decimals
-    for (const int B : counts)
+    for (const int B : all_counts)
         for (const bool is_second : {false, true}) {
             CAPTURE(B, is_second);
             const auto [mesh, faces] = beside_similar_faces(B, is_second);
@@ -205,16 +219,41 @@ TEST_CASE("fracture: of faces with similar indices only those that are named ope
         }
 }
 
+TEST_CASE("fracture: along faces whose indices have the same hash", "[A7.5][fracture]")
+{
+    constexpr Triple a = {23628, 26552, 35121}, b = {34508, 46862, 54635};
+    static_assert(spatial_hash(a) == spatial_hash(b));
+    const TetrahedralMesh mesh =
+        apart({{a[0], a[1], a[2], 60000}, {b[0], b[1], b[2], 60001}}, 60002);
+    const SplitMesh result = split_along_faces(mesh, {});
+    check_count(vertex_count(result.mesh), vertex_count(mesh), "vertices");
+    REQUIRE_THAT(corners(result.mesh), IsExactly(corners(mesh)));
+}
+
+TEST_CASE("fracture: a face that is named many times opens once", "[A7.5][fracture]")
+{
+    for (const int times : {1, 2, 3, 255, 256, 257, 65535, 65536}) {
+        CAPTURE(times);
+        for (const bool from_both : {false, true}) {
+            std::vector<MeshFace> faces(static_cast<std::size_t>(times), MeshFace{0, 0});
+            if (from_both) faces.insert(faces.end(), faces.size(), MeshFace{1, 0});
+            const SplitMesh result = split_along_faces(two_tetrahedra(), faces);
+            check_count(vertex_count(result.mesh), 8, "vertices");
+            check_count(piece_count(result.mesh), 2, "pieces");
+        }
+    }
+}
+
 TEST_CASE("fracture: through elements tetrahedra with similar indices", "[A7.6][fracture]")
 {
-    for (const int B : index_counts) {
+    for (const int B : all_counts) {
         CAPTURE(B);
         const TetrahedralMesh mesh = with_similar_indices(B);
         // from one corner, across the edge between two others
         const SplitMesh alone =
             split_element(unit_tetrahedron(), 0, Vector3d(1, -1, 0).normalized());
         // Calls with the longest list take long: one for each pair of similar tetrahedra is enough.
-        const bool is_longest = B == index_counts[2];
+        const bool is_longest = B > wide;
         for (int t = 0; t < tetrahedron_count(mesh); t += is_longest ? 2 : 1)
             for (const int axis : {t % 3, (t + 1) % 3}) {
                 if (is_longest && axis != t % 3) continue;
@@ -229,6 +268,33 @@ TEST_CASE("fracture: through elements tetrahedra with similar indices", "[A7.6][
                 check_count(std::count(result.parents.begin(), result.parents.end(), t), 2,
                             "halves of the tetrahedron that was cut");
             }
+    }
+}
+
+TEST_CASE("fracture: through edges with similar indices at one vertex", "[A7.6][fracture]")
+{
+    // Three tetrahedra around the edge (0, 4). The plane cuts the edges (1, B + 3) and (2, 3). With
+    // the factors B and 1, their indices have one sum.
+    for (const int B : all_counts) {
+        CAPTURE(B);
+        TetrahedralMesh mesh;
+        mesh.vertices.assign(static_cast<std::size_t>(B) + 4, Vector3d(-9, -9, -9));
+        const auto at = [](double degrees) {
+            const double angle = degrees * std::numbers::pi / 180;
+            return Vector3d(std::cos(angle), std::sin(angle), 0.1);
+        };
+        mesh.vertices[0] = {0, 0, -0.5};
+        mesh.vertices[4] = {0, 0, 1};
+        mesh.vertices[1] = at(60);
+        mesh.vertices[2] = at(120);
+        mesh.vertices[3] = at(-120);
+        mesh.vertices[B + 3] = at(-60);
+        mesh.tetrahedra = {{0, 4, B + 3, 1}, {0, 4, 3, B + 3}, {0, 4, 2, 3}};
+        for (std::size_t t = 0; t < 3; ++t)
+            if (volume(mesh, t) < 0) std::swap(mesh.tetrahedra[t][2], mesh.tetrahedra[t][3]);
+        const SplitMesh result = split_element(mesh, 0, Vector3d::UnitY());
+        check_new_vertices(mesh, result, 0, Vector3d::UnitY());
+        check_count(tetrahedron_count(result.mesh), 5, "tetrahedra, two of them in halves");
     }
 }
 

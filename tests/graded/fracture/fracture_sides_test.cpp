@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A7: on which side of a plane a tetrahedron is, in whatever order its corners stand and wherever
 // the solid is, and which face is nearest where a small component of the normal decides.
+#include "element_laws.hpp"
 #include "formulas/fracture.hpp"
 #include "fracture_laws.hpp"
 
@@ -170,6 +171,21 @@ TEST_CASE("fracture: all tetrahedra of a cut edge are halved however they are co
             INFO("the edge has vertex 4 beside it, and all of its wedges are halved");
             check_count(tetrahedron_count(result.mesh), 12 + 2 * std::ssize(wedges), "tetrahedra");
         });
+    }
+}
+
+TEST_CASE("fracture: a tetrahedron beside the vertex has no side", "[A7.6][fracture]")
+{
+    // Three tetrahedra around an edge. The last one does not have vertex 0, but its vertices are
+    // those of the other two, above the plane and below it.
+    const double c = -0.5, s = std::sqrt(0.75);
+    const TetrahedralMesh mesh = {{{1, 0, 0}, {c, s, 0}, {c, -s, 0}, {0, 0, 1}, {0, 0, -1}},
+                                  {{1, 0, 3, 4}, {0, 2, 3, 4}, {2, 1, 3, 4}}};
+    for (int i = 0; i < 36; ++i) {
+        const double angle = 2 * std::numbers::pi * (i + 0.5) / 36;
+        const Vector3d n = Vector3d(0.1, std::cos(angle), std::sin(angle)).normalized();
+        CAPTURE(n);
+        if (heights(mesh, 0, n).margin > 1e-3) cut_at(mesh, 0, n);
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A2.1, A2.11, A2.12, A2.13 and A2.17: lists of every length, and meshes whose indices need more
-// than 8 or 16 bits.
+// A2.1, A2.11, A2.12, A2.13 and A2.17: lists of every length, elements that count for nothing in
+// front of others, and meshes whose indices need more than 8 or 16 bits.
 #include "formulas/inertia.hpp"
 #include "graded/laws/lengths.hpp"
 #include "support/close.hpp"
@@ -69,6 +69,8 @@ TriangleMesh bipyramid(int n, const Vector3d& center)
     return mesh;
 }
 
+const DensitySample empty_sample = {{2, -1, 4}, 0};
+
 } // namespace
 
 TEST_CASE("inertia: any number of particles", "[A2.1][inertia]")
@@ -96,6 +98,49 @@ TEST_CASE("inertia: any number of samples", "[A2.12][inertia]")
         const Beads beads(n);
         beads.check(sampled_mass_properties(beads.samples(), n)); // a volume of 1 for each
     }
+}
+
+TEST_CASE("inertia: particles without mass count for nothing", "[A2.1][inertia]")
+{
+    const Beads few(20);
+    for (const int n : idle_elements) {
+        CAPTURE(n);
+        few.check(particle_mass_properties(behind(n, Particle{0, {2, -1, 4}}, few.particles)));
+    }
+}
+
+TEST_CASE("inertia: empty cells count for nothing", "[A2.11][inertia]")
+{
+    const Beads few(20);
+    for (const int n : idle_elements) {
+        CAPTURE(n);
+        few.check(grid_mass_properties(behind(n, empty_sample, few.samples()), 1));
+    }
+}
+
+TEST_CASE("inertia: however many samples miss the solid before others hit it", "[A2.12][inertia]")
+{
+    const Beads few(20);
+    for (const int n : idle_elements) {
+        CAPTURE(n);
+        // a volume of 1 for each sample
+        few.check(sampled_mass_properties(behind(n, empty_sample, few.samples()), n + 20));
+    }
+}
+
+TEST_CASE("inertia: triangles without area count for nothing", "[A2.13][inertia]")
+{
+    const TriangleMesh plain = bipyramid(5, {0.5, -1, 0.25});
+    const MassProperties expected = mesh_mass_properties(plain, 3);
+    for (const std::array<int, 3>& flat : {std::array{2, 3, 3}, {3, 2, 3}, {4, 4, 0}, {1, 1, 1}})
+        for (const std::size_t place : {0, 1, 4, 10}) {
+            CAPTURE(flat, place);
+            TriangleMesh mesh = plain;
+            mesh.triangles.insert(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(place),
+                                  flat);
+            const MassProperties found = mesh_mass_properties(mesh, 3);
+            REQUIRE_THAT(found, IsClose(expected, Rounding(64, 16)));
+        }
 }
 
 TEST_CASE("inertia: a mesh with any number of triangles", "[A2.13][inertia]")

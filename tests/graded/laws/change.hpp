@@ -165,4 +165,13 @@ void change_arguments(std::tuple<Argument...>& arguments, const FormulaQuantitie
                arguments);
 }
 
+/// Whether an argument of the formula has a unit of mass, length or time.
+constexpr bool has_units(FormulaIndex f)
+{
+    const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
+    return std::any_of(
+        of.arguments.begin(), of.arguments.begin() + of.count,
+        [](const Quantity& q) { return q.dimension != Dimension() || q.kind == Kind::fields; });
+}
+
 } // namespace rigor::testing

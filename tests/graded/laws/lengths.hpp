@@ -6,6 +6,7 @@
 
 #include "formulas/types.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace rigor::testing {
@@ -29,13 +30,31 @@ inline std::vector<int> lengths(int least, int most)
     return result;
 }
 
-/// Point masses on the x axis. Masses and places are small integers, so that Σ m, Σ m x and Σ m x²
-/// are exact.
+/// Numbers from 1 to 8 whose sums have more digits than single precision holds. A million of them,
+/// each multiplied by an integer up to 121, add up exactly in a double.
+inline double dyadic(int i)
+{
+    return 1 + i % 7 + std::ldexp(i % 5, -16);
+}
+
+/// Point masses on the x axis. Places are small integers, so that Σ m, Σ m x and Σ m x² are exact.
 inline std::vector<Particle> beads(int n)
 {
     std::vector<Particle> result(n);
     for (int i = 0; i < n; ++i)
-        result[i] = {1.0 + i % 7, {1.0 + i % 11, 0, 0}};
+        result[i] = {dyadic(i), {1.0 + i % 11, 0, 0}};
+    return result;
+}
+
+/// How many elements that count for nothing a test puts in front of others: a loop that gives up
+/// too early finds only these.
+constexpr int idle_elements[] = {1, 10, 300, 5000, 70000};
+
+/// The list with copies of an element in front of it.
+template <class T> std::vector<T> behind(int count, const T& element, const std::vector<T>& list)
+{
+    std::vector<T> result(static_cast<std::size_t>(count), element);
+    result.insert(result.end(), list.begin(), list.end());
     return result;
 }
 

@@ -4,6 +4,7 @@
 // differs in a single argument, in a list by a single element, or in a single part of an argument,
 // such as the sign of one number.
 #include "add_law.hpp"
+#include "change.hpp"
 #include "one_change.hpp"
 #include "support/seeds.hpp"
 #include "support/sweep.hpp"
@@ -104,6 +105,23 @@ template <class Result> void check_again(Result again, const Result& expected, c
     REQUIRE_THAT(comparable(again), IsClose(should, is_same ? Exactly() : universal(should)));
 }
 
+// Compares the result of a call with that of the same call in other units. An answer that is kept
+// for good may be wrong whenever the call is repeated, but the call in other units is a new one.
+template <FormulaIndex f, auto& formula, class Result>
+void check_in_other_units(Arguments<formula> call, const Result& expected)
+{
+    if constexpr (has_units(f)) {
+        const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
+        const Change units = {Dimension{4, 2, -2}};
+        change_arguments(call, of, units);
+        Result found = changed(std::apply(formula, call), of.result, units.undone());
+        choose_as(found, expected, of.result);
+        const auto& should = comparable(expected);
+        INFO("the same call in other units, after another call that differs in a single part");
+        REQUIRE_THAT(comparable(found), IsClose(should, universal(should)));
+    }
+}
+
 // Makes two calls that differ in a single part, directly one after the other, in both orders.
 template <FormulaIndex f, auto& formula> void check_memory_of_parts()
 {
@@ -117,6 +135,7 @@ template <FormulaIndex f, auto& formula> void check_memory_of_parts()
         for (const Arguments<formula>& call : with_one_change<f>(first, 64, random)) {
             std::apply(formula, other);
             const auto expected = std::apply(formula, call);
+            check_in_other_units<f, formula>(call, expected);
             INFO("the same call, after another call that differs from it in a single part");
             check_again(std::apply(formula, first), of_first, result);
             check_again(std::apply(formula, call), expected, result);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Arguments that differ from others in a single part: one number, one component of a vector, one
-// pair of entries of a tensor, one element of a list, or the sign or the order of one such group.
+// pair of entries of a tensor, one element of a list, two numbers whose sum stays, or the sign or
+// the order of one such group.
 // Changed arguments that the contract does not allow are left out.
 #pragma once
 
@@ -43,6 +44,15 @@ template <class List> void swap_entries(List& list, Turn& turn)
         if (turn()) std::swap(list[i], list[i + 1]);
 }
 
+/// Moves a part of one number to another one, so that their sum stays.
+inline void shift_between(double& x, double& y, Turn& turn)
+{
+    if (!turn()) return;
+    const double shift = 0.25 * (std::abs(x) + std::abs(y));
+    x += shift;
+    y -= shift;
+}
+
 inline void change_vector(Vector3d& v, const Quantity& q, Turn& turn)
 {
     for (double& x : v) {
@@ -50,6 +60,7 @@ inline void change_vector(Vector3d& v, const Quantity& q, Turn& turn)
         if (q.kind != Kind::unit) change_entry(x, has_sign(q), turn);
     }
     if (has_sign(q) && turn()) v = -v;
+    if (has_sign(q) && q.kind != Kind::unit) shift_between(v[0], v[1], turn);
     swap_entries(v, turn);
 }
 
@@ -75,6 +86,11 @@ inline void change_symmetric(Matrix3d& A, Turn& turn)
     }
     if (turn()) A = 2 * diagonal - A;
     if (turn()) A = -A;
+    shift_between(A(0, 0), A(1, 1), turn);
+    double first = A(0, 1), second = A(1, 2);
+    shift_between(first, second, turn);
+    A(0, 1) = A(1, 0) = first;
+    A(1, 2) = A(2, 1) = second;
 }
 
 inline void change_matrix(Matrix3d& A, const Quantity& q, Turn& turn)

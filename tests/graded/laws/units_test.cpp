@@ -90,14 +90,6 @@ std::string units_in_words(const Arguments<formula>& arguments)
                         : text.substr(0, text.size() - 2);
 }
 
-constexpr bool has_units(FormulaIndex f)
-{
-    const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
-    return std::any_of(
-        of.arguments.begin(), of.arguments.begin() + of.count,
-        [](const Quantity& q) { return q.dimension != Dimension() || q.kind == Kind::fields; });
-}
-
 template <FormulaIndex f, auto& formula> void check_units()
 {
     const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];

@@ -8,6 +8,20 @@
 using namespace rigor;
 using namespace rigor::testing;
 
+TEST_CASE("plasticity: pressure does not touch the shear", "[A6.1][plasticity]")
+{
+    for (int power = 0; power <= 60; power += 3) {
+        CAPTURE(power);
+        Matrix3d sigma = -3 * Matrix3d::Identity();
+        sigma(0, 1) = sigma(1, 0) = std::ldexp(1, -power);
+        sigma(1, 2) = sigma(2, 1) = -std::ldexp(3, -power);
+        const Matrix3d found = deviator(sigma);
+        REQUIRE_THAT(found(0, 1), IsClose(sigma(0, 1), Rounding(4)));
+        REQUIRE_THAT(found(2, 1), IsClose(sigma(2, 1), Rounding(4)));
+        REQUIRE_THAT(found(0, 2), IsClose(0.0, Rounding(4, std::ldexp(1, -power))));
+    }
+}
+
 TEST_CASE("plasticity: a shear counts however small it is beside the pressure",
           "[A6.4][plasticity]")
 {
@@ -18,6 +32,53 @@ TEST_CASE("plasticity: a shear counts however small it is beside the pressure",
             const Matrix3d sigma = shear(tau) - p * Matrix3d::Identity();
             REQUIRE_THAT(von_mises(sigma), IsClose(std::sqrt(3) * tau, Rounding(32, tau + 2 * p)));
         }
+}
+
+namespace {
+
+// Tensors of which one entry, or pair of entries, is small beside the others, and their von Mises
+// stresses, from the sum of the squares of the differences and of the shears in more digits.
+template <class Check> void with_a_small_entry(const Check& check)
+{
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j)
+            for (int power = 1; power <= 26; ++power) {
+                CAPTURE(i, j, power);
+                Matrix3d A = Vector3d(i == 0 && j == 0 ? 0 : 1, 0, 0).asDiagonal();
+                if (i == 0 && j == 0) A(1, 1) = 1;
+                A(i, j) += std::ldexp(1.5, -power);
+                A(j, i) = A(i, j);
+                const auto squared = [](long double x) { return x * x; };
+                const auto a = [&A](int k, int l) -> long double { return A(k, l); };
+                const long double differences = squared(a(0, 0) - a(1, 1)) +
+                                                squared(a(1, 1) - a(2, 2)) +
+                                                squared(a(2, 2) - a(0, 0)),
+                                  shears = squared(a(0, 1)) + squared(a(1, 2)) + squared(a(2, 0));
+                check(A, static_cast<double>(std::sqrt(differences / 2 + 3 * shears)));
+            }
+}
+
+} // namespace
+
+TEST_CASE("plasticity: an entry counts however small it is beside the others", "[A6.3][plasticity]")
+{
+    with_a_small_entry([](const Matrix3d& stress, double expected) {
+        REQUIRE_THAT(von_mises_frobenius(stress), IsClose(expected, Rounding(16)));
+    });
+}
+
+TEST_CASE("plasticity: an entry of the stress counts however small it is", "[A6.4][plasticity]")
+{
+    with_a_small_entry([](const Matrix3d& stress, double expected) {
+        REQUIRE_THAT(von_mises(stress), IsClose(expected, Rounding(16)));
+    });
+}
+
+TEST_CASE("plasticity: an entry of the strain counts however small it is", "[A6.6][plasticity]")
+{
+    with_a_small_entry([](const Matrix3d& strain, double expected) {
+        REQUIRE_THAT(von_mises_from_strain(strain, 3), IsClose(6 * expected, Rounding(16)));
+    });
 }
 
 TEST_CASE("plasticity: a shear strain counts however small it is beside the change of volume",

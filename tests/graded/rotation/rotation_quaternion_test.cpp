@@ -121,6 +121,21 @@ TEST_CASE("rotation: tiny and huge quaternions are normalized as well", "[A3.7][
     }
 }
 
+TEST_CASE("rotation: components of very different sizes are normalized as well", "[A3.7][rotation]")
+{
+    for (const double large : {1e-300, 1e-160, 1e-5, 1.0, 1e5, 1e160, 1e300})
+        for (const double ratio : {1e-3, 1e-7, 1e-40, 1e-150}) {
+            CAPTURE(large, ratio);
+            const double small = ratio * large;
+            const double length = std::sqrt(2 + ratio * ratio), other = std::hypot(1, ratio);
+            REQUIRE_THAT(
+                normalize({large, {small, 0, large}}),
+                IsClose(Quaternion{1 / length, {ratio / length, 0, 1 / length}}, Rounding(8, 1)));
+            REQUIRE_THAT(normalize({small, {0, -large, 0}}),
+                         IsClose(Quaternion{ratio / other, {0, -1 / other, 0}}, Rounding(8, 1)));
+        }
+}
+
 TEST_CASE("rotation: a quarter turn about z takes x to y", "[A3.8][rotation]")
 {
     const Quaternion q = {half_root, {0, 0, half_root}};

@@ -126,7 +126,6 @@ struct ElementRules {
     double nearest_to_an_end = 0;    // the least distance of a new vertex from an end of its edge
     bool swaps_corners = false;      // in one of the two halves
     double snap_distance = 0.05;     // relative to the longest edge
-    bool snaps_at_the_limit = false; // also a vertex exactly at the snap distance
     bool by_own_edges = false;       // the longest edge of the tetrahedra that have the vertex
     bool subtracts_heights = false;  // n·x - n·x_v, whose digits cancel far from the origin
     bool asks_for_both_sides = true; // otherwise it splits even if no vertex is above, or below
@@ -160,8 +159,7 @@ inline std::map<int, double> heights_at(const ElementRules& rules, const Tetrahe
                 }
     for (auto& [v, h] : heights) {
         const double limit = rules.snap_distance * (rules.by_own_edges ? longest_own[v] : longest);
-        const bool is_at_limit = rules.snaps_at_the_limit && std::abs(h) == limit;
-        if (v == vertex || is_at_limit || std::abs(h) < limit) h = 0;
+        if (v == vertex || std::abs(h) < limit) h = 0;
     }
     return heights;
 }
