@@ -76,7 +76,8 @@ std::vector<Upper> uppers()
 
 } // namespace
 
-TEST_CASE("classics: a heavy body that falls on a light one stops with it", "[classics]")
+TEST_CASE("classics: a heavy body that falls on a light one stops with it",
+          "[classics][unsanitized]")
 {
     Sweep sweep;
     const Material plastic{0, 0.5};

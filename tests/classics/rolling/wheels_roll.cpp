@@ -86,7 +86,7 @@ double speed_share_of_polygon(int sides, double c, double speed)
 
 } // namespace
 
-TEST_CASE("classics: a wheel that rolls keeps its speed", "[classics]")
+TEST_CASE("classics: a wheel that rolls keeps its speed", "[classics][unsanitized]")
 {
     Sweep sweep;
     constexpr double tenth_of_a_turn = std::numbers::pi / 5;

@@ -38,7 +38,7 @@ std::vector<std::pair<const char*, Shape>> axles(double radius, double length)
 
 } // namespace
 
-TEST_CASE("classics: a ring hangs on an axle", "[classics]")
+TEST_CASE("classics: a ring hangs on an axle", "[classics][unsanitized]")
 {
     Sweep sweep;
     const Material material{0, 0.5};

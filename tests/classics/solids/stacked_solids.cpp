@@ -38,7 +38,7 @@ RigidBody plate(double bottom, double M)
 } // namespace
 
 TEST_CASE("classics: a soft block bears the blocks and plates above it in any order of the list",
-          "[classics]")
+          "[classics][unsanitized]")
 {
     const double E = 5e5, top = 30;
     Sweep sweep;

@@ -10,16 +10,19 @@ namespace {
 
 /// The tags of the tasks that the reference is checked for. An empty list means all tasks. With
 /// sanitizers, scenes of many bodies or elements take 20 to 50 times as long, which is minutes for
-/// each. A sanitized build therefore checks all formulas, but only the scenes of A0 and A1; its
-/// tests of rigid, deformable and classics run the same engine.
+/// each. A sanitized build therefore checks only the scenes of A0 and A1; its tests of rigid,
+/// deformable and classics run the same engine. Of the formulas it checks every second one, and the
+/// others for the next commit.
 std::vector<std::string> graded_tags()
 {
     std::vector<std::string> tags;
 #ifdef RIGOR_SANITIZED
+    int turn = 0;
     for (const Assignment& assignment : load_assignments(places().assignments()))
         for (const Task& task : assignment.tasks)
-            if (!task.formula.empty() || assignment.label() <= "a1") tags.push_back(task.tag);
-    REQUIRE(tags.size() > 70);
+            if (assignment.label() <= "a1" || (!task.formula.empty() && turn++ % 2 == RIGOR_TURN))
+                tags.push_back(task.tag);
+    REQUIRE(tags.size() > 35);
 #endif
     return tags;
 }

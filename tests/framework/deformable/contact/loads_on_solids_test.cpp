@@ -82,7 +82,7 @@ void check_at_rest(const DeformableWorld& world, double force)
 
 } // namespace
 
-TEST_CASE("loads: a solid carries a stack whatever its masses are", "[deformable]")
+TEST_CASE("loads: a solid carries a stack whatever its masses are", "[deformable][unsanitized]")
 {
     Sweep sweep;
     for (const auto& [integrator, h] : methods)
