@@ -4,6 +4,8 @@
 // the way, and fast in the middle.
 #include "classics/problems.hpp"
 
+namespace eccentric_wheel {
+
 using namespace rigor;
 using namespace rigor::testing;
 
@@ -47,3 +49,5 @@ TEST_CASE("classics: a wheel with an eccentric mass rolls to and fro", "[classic
             check_at_most(std::abs(change), 50 * h * h, "relative change of the energy");
         }
 }
+
+} // namespace eccentric_wheel

@@ -14,6 +14,7 @@
 #include "rigid/step/impact.hpp"
 #include "rigid/step/substeps/end_of_sliding.hpp"
 #include "rigid/step/substeps/island_world.hpp"
+#include "rigid/step/substeps/rim_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -226,7 +227,8 @@ void keep_warm_contacts(const IslandWorld& part, Refinement& refined)
 // Where the step of an island is divided, by the cases of the header.
 Division division_of(const World& world, const ContactProblem& problem, const Island& island,
                      const std::vector<Body>& first, const std::vector<bool>& pulled,
-                     const Divisions& divisions, OverlapCheck& overlaps_anew)
+                     const Divisions& divisions, const std::vector<RigidState>& states,
+                     OverlapCheck& overlaps_anew)
 {
     const bool is_at_limit = divisions.all() >= most_divisions;
     const bool is_large = island.bodies.size() > (is_at_limit ? few_bodies : most_refined);
@@ -252,7 +254,10 @@ Division division_of(const World& world, const ContactProblem& problem, const Is
         return std::any_of(island.pairs.begin(), island.pairs.end(), condition);
     };
     const auto pushed = [&](const ContactPair& pair) { return is_pushed_together(problem, pair); };
-    if (is_pulled ? is_any(pushed) : is_any(std::ref(overlaps_anew)))
+    const auto runs = [&](const ContactPair& pair) {
+        return island.bodies.size() == 1 && runs_round_rim(world, problem, states, pair);
+    };
+    if (is_pulled ? is_any(pushed) : is_any(std::ref(overlaps_anew)) || is_any(runs))
         division = {h / 2, Division::At::middle};
     else if (divisions.all() < most_divisions_of_sliding)
         division.time = end_of_sliding(problem, island, first);
@@ -292,7 +297,7 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::
     OverlapCheck overlaps_anew(world, problem, candidates, states);
     for (Island& island : problem.islands) {
         const Division division =
-            division_of(world, problem, island, first, pulled, divisions, overlaps_anew);
+            division_of(world, problem, island, first, pulled, divisions, states, overlaps_anew);
         if (division.time == 0) continue;
         const std::optional<std::vector<int>> moved =
             bodies_moved_together(world, problem, island, candidates.contacts);

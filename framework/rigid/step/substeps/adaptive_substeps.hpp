@@ -63,6 +63,8 @@ inline constexpr int most_divisions_of_sliding = 2;
 ///    contact carries a load but those that are hit. The step is divided at the first impact.
 /// 7. Such forces push two bodies together that should bounce, so strongly that they meet within
 ///    the step although they separate at its start. The step is divided in the middle.
+/// 8. In an island of a single body, a contact runs far round the rim of this body
+///    (rim_contact.hpp). The step is divided in the middle.
 ///
 /// In cases 2 and 3, a bounce does not count if `bounce_at_impacts` (impact.hpp) has already moved
 /// it to its time of impact.
