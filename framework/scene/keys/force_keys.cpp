@@ -28,6 +28,20 @@ int body_index(const Value& value, const std::vector<BodyDescription>& bodies)
                                           in_quotes(name), suggestion(name, names))};
 }
 
+bool can_move(const BodyDescription& body)
+{
+    return !body.is_static && !body.drive;
+}
+
+// Refuses a force, a spring or a pair that would have no effect.
+void need_motion(bool any_moves, const Value& value, const std::string& name)
+{
+    if (!any_moves)
+        throw Mistake{value.line, fmt::format("expected a body that can move, found {}, which is "
+                                              "static or driven",
+                                              in_quotes(name))};
+}
+
 struct SpringDraft {
     Spring spring;
     const Value *body1 = nullptr, *body2 = nullptr, *stiffness = nullptr;
@@ -160,6 +174,11 @@ std::vector<Spring> read_springs(const Value& value, const std::vector<BodyDescr
         if (draft.body2) draft.spring.body2 = body_index(*draft.body2, bodies);
         if (draft.spring.body1 == draft.spring.body2)
             expected("two different bodies", *draft.body2);
+        const auto moves = [&](const Value* body, int i) { return body && can_move(bodies[i]); };
+        const Value& last = draft.body2 ? *draft.body2 : *draft.body1;
+        need_motion(moves(draft.body1, draft.spring.body1) ||
+                        moves(draft.body2, draft.spring.body2),
+                    last, line_of_text(last, "the name of a body"));
         springs.push_back(draft.spring);
     }
     return springs;
@@ -180,6 +199,7 @@ ForcesRead read_forces(const Value& value, const std::vector<BodyDescription>& b
             throw Mistake{draft.world_point->line,
                           "expected either \"point\" or \"world_point\", found both"};
         draft.force.body = body_index(*draft.body, bodies);
+        need_motion(can_move(bodies[draft.force.body]), *draft.body, bodies[draft.force.body].name);
         if (draft.force.end <= draft.force.start)
             expected(fmt::format("an end > {}", draft.force.start), *draft.end);
         read_factor(draft);
@@ -201,6 +221,8 @@ std::vector<PairLaw> read_pairs(const Value& value, const std::vector<BodyDescri
         law.body1 = body_index(*draft.body1, bodies);
         law.body2 = body_index(*draft.body2, bodies);
         if (law.body1 == law.body2) expected("two different bodies", *draft.body2);
+        need_motion(can_move(bodies[law.body1]) || can_move(bodies[law.body2]), *draft.body2,
+                    bodies[law.body2].name);
         if (!law.restitution && !law.friction && !draft.collide)
             expected("\"restitution\", \"friction\" or \"collide\" in the pair", item);
         if (!seen.insert(std::minmax(law.body1, law.body2)).second)

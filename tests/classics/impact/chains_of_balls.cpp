@@ -5,7 +5,6 @@
 #include "balls_on_a_line.hpp"
 #include "classics/problems.hpp"
 #include "support/random.hpp"
-#include "support/seeds.hpp"
 
 namespace chains_of_balls {
 
@@ -65,9 +64,9 @@ TEST_CASE("classics: a chain of balls knows the time of each of its impacts", "[
 {
     const double T = 0.2;
     int chains = 0;
-    std::vector<int> wrong; // chains
-    for (int seed = 0; seed < 3000; ++seed) {
-        Random random(static_cast<std::uint64_t>(seed));
+    std::vector<unsigned> wrong; // seeds
+    for (unsigned seed = 0; seed < 3000; ++seed) {
+        Random random(seed);
         const BallsOnALine chain = any_chain(random);
         const double h = one_of<double>({0.02, 0.01, 0.005, 0.0025}, random);
         // Slow impacts and slow bounces are left out, since what follows them is sensitive.

@@ -223,4 +223,19 @@ TEST_CASE("pairs: what holds for two bodies is read and sorted")
           "s:5: expected each pair once, found \"b\" and \"a\" again");
 }
 
+TEST_CASE("motion: forces and springs need a body that can move")
+{
+    const std::string fixed = "\"static\": true",
+                      refused = "s:4: expected a body that can move, found \"a\", which is static "
+                                "or driven",
+                      force = R"("forces": [{"body": "a", "force": [1, 0, 0]}])",
+                      spring = R"("springs": [{"body1": "a", "stiffness": 1}])",
+                      to_the_other = R"("springs": [{"body1": "a", "body2": "b", "stiffness": 1}])";
+    CHECK(refusal("", force) == "accepted");
+    CHECK(refusal(fixed, force) == refused);
+    CHECK(refusal("", spring) == "accepted");
+    CHECK(refusal(fixed, spring) == refused);
+    CHECK(refusal(fixed, to_the_other) == "accepted");
+}
+
 } // namespace motion_keys_test
