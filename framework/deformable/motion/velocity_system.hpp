@@ -20,7 +20,8 @@ struct VelocitySystem {
     /// Restores the exact momentum and angular momentum of each free part: a connected piece of the
     /// solid that neither handles nor contacts hold. Conjugate gradients conserve the momentum only
     /// up to their tolerance. The angular momentum also changes because the matrix has constant
-    /// rotations, and because the damping -β K v acts on the rotation of a stretched solid.
+    /// rotations, and because the damping -β K v acts on the rotation of a stretched solid. A part
+    /// that turns by more than 0.2 rad in the step gets its momentum alone.
     ///
     /// @param tied_by  for each node, the contact that prescribes its velocity, or -1 for none
     void restore_momenta(const Deformable& solid, const std::vector<HeldNode>& held,
@@ -45,6 +46,7 @@ private:
         Vector3d start_momentum = Vector3d::Zero(); // at the start of the step [N s]
         Vector3d end_momentum = Vector3d::Zero();   // at its end [N s]
         Vector3d momentum = Vector3d::Zero();       // missing after the solve [N s]
+        Vector3d whole = Vector3d::Zero(); // angular momentum that it should have [kg m²/s]
         Vector3d angular_momentum = Vector3d::Zero(); // missing after the solve, about X [kg m²/s]
         Matrix3d inertia = Matrix3d::Zero();          // about X [kg m²]
         Vector3d V = Vector3d::Zero(), omega = Vector3d::Zero(); // what is added [m/s, rad/s]
