@@ -44,6 +44,14 @@ inline RigidBody ball_of_mass(double radius, double mass, const Vector3d& X,
     return ball;
 }
 
+/// The energy of a body under gravity, which is 0 at rest with its center at y = 0 [J].
+inline double energy_of(const RigidBody& body)
+{
+    const RigidState& s = body.state;
+    return body.mass * (s.velocity.squaredNorm() / 2 + g * s.position.y()) +
+           angular_velocity(body).dot(s.angular_momentum) / 2;
+}
+
 /// A body whose motion is given.
 inline RigidBody driven(const Shape& shape, const Material& material, const Vector3d& X,
                         Drive drive, const Quaternion& q = {})

@@ -26,13 +26,6 @@ RigidBody eccentric(const Shape& shape, double angle)
     return wheel;
 }
 
-double energy_of(const RigidBody& body)
-{
-    const RigidState& state = body.state;
-    return body.mass * (state.velocity.squaredNorm() / 2 + g * state.position.y()) +
-           state.angular_momentum.squaredNorm() / 2 / body.inertia(0, 0);
-}
-
 } // namespace
 
 TEST_CASE("classics: a wheel with an eccentric mass rolls to and fro", "[classics]")

@@ -14,14 +14,6 @@ namespace losses_on_curves {
 
 namespace {
 
-double energy(const RigidBody& body)
-{
-    const Vector3d w = angular_velocity(body);
-    const RigidState& s = body.state;
-    return body.mass * (s.velocity.squaredNorm() / 2 + g * s.position.y()) +
-           w.dot(s.angular_momentum) / 2;
-}
-
 // The share of its fall that a ball loses until it leaves a sphere with the radius 1 m.
 double lost_until_it_leaves(double radius, double friction, double h)
 {
@@ -30,10 +22,10 @@ double lost_until_it_leaves(double radius, double friction, double h)
     const Vector3d X = (1 + radius) * Vector3d(std::sin(start), std::cos(start), 0);
     World world = solved({fixed(Sphere{1}, material), body_of(Sphere{radius}, X, material)});
     const RigidBody& ball = world.bodies[1];
-    const double first = energy(ball);
+    const double first = energy_of(ball);
     for (bool touches = true; touches || world.time < 3 * h;)
         touches = !step(world, h).empty();
-    return (first - energy(ball)) / (ball.mass * g * (X.y() - ball.state.position.y()));
+    return (first - energy_of(ball)) / (ball.mass * g * (X.y() - ball.state.position.y()));
 }
 
 // A thin disk that rolls on its rim, inclined by an angle, with its center at rest: ω points to the
@@ -77,15 +69,15 @@ TEST_CASE("classics: a disk that rolls on its rim keeps its energy", "[classics]
         for (const double h : {0.002, 0.001, 0.0005}) {
             CAPTURE(degrees, h);
             World world = rolling_on_its_rim(degrees * pi / 180);
-            const double first = energy(world.bodies[1]);
+            const double first = energy_of(world.bodies[1]);
             double most = 0;
             while (world.time < 1 - h / 2) {
                 step(world, h);
-                most = std::max(most, energy(world.bodies[1]));
+                most = std::max(most, energy_of(world.bodies[1]));
             }
             check_at_most(most / first, 1 + 1e-5, "energy");
             const double order = std::max(1.0, std::pow(h / 0.001, 3));
-            check_at_least(energy(world.bodies[1]) / first, 1 - order * lost, "energy");
+            check_at_least(energy_of(world.bodies[1]) / first, 1 - order * lost, "energy");
         }
 }
 
@@ -97,10 +89,10 @@ TEST_CASE("classics: a disk that is nearly flat rolls on at any step", "[classic
             CAPTURE(angle, h);
             World world = rolling_on_its_rim(angle);
             world.settings.optimisations.sleep = false;
-            const double first = energy(world.bodies[1]);
+            const double first = energy_of(world.bodies[1]);
             run_until(world, 0.5, h);
-            check_at_least(energy(world.bodies[1]) / first, 0.98, "energy");
-            check_at_most(energy(world.bodies[1]) / first, 1.001, "energy");
+            check_at_least(energy_of(world.bodies[1]) / first, 0.98, "energy");
+            check_at_most(energy_of(world.bodies[1]) / first, 1.001, "energy");
         }
 }
 
@@ -117,11 +109,11 @@ TEST_CASE("classics: a stick that turns about its foot keeps its energy", "[clas
                     RigidBody stick = body_of(Box{{width, 1, depth}}, {0, 0, 0}, rough, q);
                     stick.state.position = -(rotation_matrix(q) * Vector3d(-foot.x(), foot.y(), 0));
                     World world = solved({fixed(Plane{}, rough), stick});
-                    const double first = energy(world.bodies[1]);
+                    const double first = energy_of(world.bodies[1]);
                     while (world.time < 0.2)
                         step(world, h);
                     const double work = stick.mass * g * 0.5; // the fall from upright to flat
-                    check_at_most(std::abs(energy(world.bodies[1]) - first) / work, 10 * h * h,
+                    check_at_most(std::abs(energy_of(world.bodies[1]) - first) / work, 10 * h * h,
                                   "share of the fall");
                 }
 }
@@ -140,10 +132,10 @@ TEST_CASE("classics: a pebble and an egg rock on with their energy", "[classics]
                         std::hypot(half.x() * std::sin(tilt), half.y() * std::cos(tilt));
                     World world = solved({fixed(Plane{}, material), egg});
                     const double rest = egg.mass * g * half.y();
-                    const double first = energy(world.bodies[1]) - rest;
+                    const double first = energy_of(world.bodies[1]) - rest;
                     while (world.time < 3)
                         step(world, h);
-                    const double lost = 1 - (energy(world.bodies[1]) - rest) / first;
+                    const double lost = 1 - (energy_of(world.bodies[1]) - rest) / first;
                     check_at_most(std::abs(lost), (tilt > 0.2 ? 2000 : 600) * h * h,
                                   "share of the energy");
                 }
@@ -178,12 +170,12 @@ TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics][unsa
                         solved({fixed(bowl, material), body_of(shape, {0.35, -0.75, 0.05}, material,
                                                                turn({1, 2, 3}, 0.7))});
                     const RigidBody& body = world.bodies[1];
-                    const double bottom = -body.mass * g, first = energy(body) - bottom;
+                    const double bottom = -body.mass * g, first = energy_of(body) - bottom;
                     double least = first, rise = 0;
                     while (world.time < 4) {
                         step(world, h);
-                        least = std::min(least, energy(body) - bottom);
-                        rise = std::max(rise, (energy(body) - bottom - least) / first);
+                        least = std::min(least, energy_of(body) - bottom);
+                        rise = std::max(rise, (energy_of(body) - bottom - least) / first);
                     }
                     check_at_most(rise, 0.02, "energy that was gained");
                     check_at_least(least, 0, "energy above the bottom");
@@ -210,11 +202,11 @@ TEST_CASE("classics: a ball swings in a faceted bowl or ring without a gain",
                     World world = solved(
                         {fixed(wall, smooth, {0, 0, 0}, q), body_of(Sphere{0.1}, X, smooth)});
                     const RigidBody& ball = world.bodies[1];
-                    const double bottom = -0.9 * ball.mass * g, first = energy(ball) - bottom;
+                    const double bottom = -0.9 * ball.mass * g, first = energy_of(ball) - bottom;
                     double most = 0;
                     while (world.time < 10) {
                         step(world, h);
-                        most = std::max(most, energy(ball) - bottom);
+                        most = std::max(most, energy_of(ball) - bottom);
                     }
                     check_at_most(most / first, 1 + 1e-3, "energy");
                 }

@@ -34,12 +34,10 @@ double tilt_of(const RigidBody& can)
     return std::acos(std::min(1.0, rotation_matrix(can.state.orientation)(1, 1)));
 }
 
-double energy_of(const RigidBody& can)
+// The energy above that of the can that lies flat at rest [J].
+double energy_above_flat(const RigidBody& can)
 {
-    const Matrix3d A = rotation_matrix(can.state.orientation);
-    const Vector3d L = A.transpose() * can.state.angular_momentum; // in object space
-    return can.mass * (can.state.velocity.squaredNorm() / 2 + g * (can.state.position.y() - half)) +
-           L.dot(can.inertia.inverse() * L) / 2;
+    return energy_of(can) - can.mass * g * half;
 }
 
 } // namespace
@@ -54,7 +52,7 @@ TEST_CASE("classics: a can that rocks on its rim rises again on the other side",
                 World world =
                     solved({fixed(Plane{}, {0, friction}), tilted_can(angle, omega, friction)});
                 world.settings.optimisations.sleep = false;
-                const double before = energy_of(world.bodies[1]);
+                const double before = energy_above_flat(world.bodies[1]);
                 double lowest = angle, rises_to = 0;
                 for (double t = 0; t < 0.8; t += h) {
                     step(world, h);
@@ -65,7 +63,8 @@ TEST_CASE("classics: a can that rocks on its rim rises again on the other side",
                 }
                 check_at_most(lowest, angle / 6, "lowest tilt [rad]");
                 check_at_least(lowest, angle / 60, "lowest tilt [rad]");
-                check_at_least(energy_of(world.bodies[1]) / before, 0.99, "energy that is left");
+                check_at_least(energy_above_flat(world.bodies[1]) / before, 0.99,
+                               "energy that is left");
                 check_at_least(rises_to, 0.9 * angle, "tilt on the other side [rad]");
             }
 }
