@@ -78,7 +78,8 @@ SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshF
 ///
 /// 1. Heights. The height of a vertex x above the plane is n·(x - x_v), where x_v is the place of
 ///    the given vertex. A vertex of these tetrahedra counts as lying on the plane if its distance
-///    to the plane is less than 0.05 of their longest edge.
+///    to the plane is less than 0.05 of their longest edge; at 0.05, up to rounding, either is
+///    right.
 /// 2. Cut edges. Each of their edges with ends on different sides gets a new vertex where it
 ///    crosses the plane. All tetrahedra of the mesh that have this edge are halved there, also
 ///    those without the vertex, so that the mesh stays conforming. The edges are processed one

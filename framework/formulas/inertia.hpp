@@ -101,7 +101,8 @@ MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples
 /// uses the divergence theorem, which turns the integrals into sums over the surface (Mirtich 1996,
 /// "Fast and accurate computation of polyhedral mass properties"). Open mesh: any finite result is
 /// correct. Mesh inside out: mass and inertia change their sign, the center does not. A triangle
-/// without area counts for nothing. No volume, or density 0: all results are zero.
+/// without area counts for nothing. No volume, or density 0: all results are zero. If only rounding
+/// makes a volume, as that of a flat mesh that is tilted, any finite result is correct.
 ///
 /// @param density  ρ [kg/m³]
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density);

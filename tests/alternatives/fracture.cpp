@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Jacobi rotations, labels that spread through links, edges halved from the last, reversed lists.
+// Running means, Jacobi rotations, labels that spread, edges halved from the last, reversed lists.
 // Principal stresses come from Jacobi's method (1846). Corners of tetrahedra that belong together
 // get the same label, spread along links until nothing changes, instead of union-find. Edges are
 // halved from the last to the first, and lists of the mesh are reversed.
@@ -147,6 +147,23 @@ void divide(const Part& part, const std::vector<Eigen::Vector4d>& planes, std::s
 }
 
 } // namespace
+
+std::vector<Matrix3d> smooth_stress(const std::vector<Matrix3d>& stresses,
+                                    const std::vector<std::vector<int>>& neighbours,
+                                    const std::vector<double>& volumes)
+{
+    // a running mean: each neighbour moves it by its share of the volume so far
+    std::vector<Matrix3d> means = stresses;
+    for (std::size_t e = 0; e < stresses.size(); ++e) {
+        double V = volumes[e];
+        for (const int m : neighbours[e])
+            if (volumes[m] > 0) {
+                V += volumes[m];
+                means[e] += volumes[m] / V * (stresses[m] - means[e]);
+            }
+    }
+    return means;
+}
 
 PrincipalStress principal_stress(const Matrix3d& stress)
 {

@@ -5,6 +5,7 @@
 // result is 0; f(t) - f(-t) is t/T times f(T) - f(-T), but for terms of the third order.
 #include "add_law.hpp"
 #include "cancellation.hpp"
+#include "geometry/meshes/mesh_checks.hpp"
 #include "own_answers.hpp"
 #include "support/in_words.hpp"
 #include "support/seeds.hpp"
@@ -132,6 +133,8 @@ private:
         if (!broken_preconditions<f>(arguments_).empty()) return false;
         if constexpr (f == FormulaIndex::static_friction_impulse) // bodies that approach
             return std::get<1>(arguments_).dot(std::get<2>(arguments_)) < -0x1p-6;
+        if constexpr (f == FormulaIndex::mesh_mass_properties) // whose center is divided by V
+            return std::abs(signed_volume(std::get<0>(arguments_))) > 0x1p-6;
         return true;
     }
 
