@@ -34,7 +34,7 @@ double von_mises(const Matrix3d& stress);
 /// A6.5 Stress of a linear, isotropic, elastic solid [Pa]: σ = λ Tr(ε) δ + 2 G ε.
 ///
 /// @param strain         ε, elastic
-/// @param lame_lambda    λ [Pa]
+/// @param lame_lambda    λ [Pa], negative in a solid that becomes wider when it is stretched
 /// @param shear_modulus  G [Pa]
 Matrix3d isotropic_stress(const Matrix3d& strain, double lame_lambda, double shear_modulus);
 

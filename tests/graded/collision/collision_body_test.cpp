@@ -3,6 +3,7 @@
 #include "colliding_pair.hpp"
 #include "formulas/collision.hpp"
 #include "support/close.hpp"
+#include "support/in_words.hpp"
 #include "support/random.hpp"
 #include "support/seeds.hpp"
 
@@ -175,6 +176,24 @@ TEST_CASE("collision: contacts that separate already are passed over", "[A4.11][
     check_deepest({contact(0.1, approaching), contact(0.3, separating), contact(0.2, approaching)},
                   2);
     check_deepest({contact(0.9, sliding), contact(0.8, separating), contact(0.1, approaching)}, 2);
+}
+
+TEST_CASE("collision: a contact that only slides does not approach", "[A4.11][collision]")
+{
+    // v·n is 0 or -0, for a normal and velocities of any signs
+    for (const double x : {-1.0, 0.0, -0.0, 1.0})
+        for (const double y : {0.0, -0.0})
+            for (const Vector3d& n : {Vector3d(0, 1, 0), Vector3d(-0.0, -1, -0.0)}) {
+                CAPTURE(x, y);
+                ContactPoint slides, approaches;
+                slides.depth = 2;
+                slides.normal = approaches.normal = n;
+                slides.relative_velocity = {x, y, x};
+                approaches.depth = 1;
+                approaches.relative_velocity = -n;
+                check_that(deepest_approaching_point({slides, approaches}) == 1,
+                           "the contact that approaches, not the deeper one that slides");
+            }
 }
 
 TEST_CASE("collision: whether a contact approaches is seen along its normal", "[A4.11][collision]")

@@ -98,4 +98,16 @@ TEST_CASE("collision: just outside of the cone it slides to another impulse", "[
     }
 }
 
+TEST_CASE("collision: bodies that only slide get no impulse", "[A4.9][collision]")
+{
+    // v·n is 0 or -0; the sticking impulse for these velocities would not be 0
+    for (const double x : {-1.0, 1.0})
+        for (const double y : {0.0, -0.0})
+            for (const double friction : {0.0, 0.5, 5.0}) {
+                CAPTURE(x, y, friction);
+                REQUIRE_THAT(collision_impulse(jamming_contact(), {x, y, x}, up, 0.5, friction),
+                             IsExactly(Vector3d(0, 0, 0)));
+            }
+}
+
 } // namespace rigor::testing

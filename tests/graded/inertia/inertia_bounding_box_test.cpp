@@ -132,7 +132,24 @@ TEST_CASE("inertia: a bounding box may be flat or a point", "[A2.17][inertia]")
     require_mass_properties(
         bounding_box_mass_properties({Vector3d(0, 0, 0), Vector3d(1, 0, 3)}, 12), plate, 4, 16);
     const MassProperties point = {3, Vector3d(1, 2, 3), Matrix3d::Zero()};
-    require_mass_properties(bounding_box_mass_properties({Vector3d(1, 2, 3)}, 3), point, 4, 1);
+    for (const std::size_t vertices : {1, 2, 3, 50}) {
+        CAPTURE(vertices);
+        require_mass_properties(
+            bounding_box_mass_properties(std::vector<Vector3d>(vertices, {1, 2, 3}), 3), point, 4,
+            1);
+    }
+}
+
+TEST_CASE("inertia: a bounding box of any size has the mass it is given", "[A2.17][inertia]")
+{
+    for (int power = -450; power <= 450; power += 10) { // edges, whose volume may be no double
+        CAPTURE(power);
+        const Vector3d size = std::ldexp(1, power) * Vector3d(1, 2, 4);
+        const MassProperties found = bounding_box_mass_properties({Vector3d(0, 0, 0), size}, 12);
+        REQUIRE_THAT(found.mass, IsClose(12.0, Rounding(4)));
+        REQUIRE_THAT(found.inertia(0, 0), IsClose(std::ldexp(20, 2 * power), Rounding(16)));
+        REQUIRE_THAT(found.inertia(2, 2), IsClose(std::ldexp(5, 2 * power), Rounding(16)));
+    }
 }
 
 TEST_CASE("inertia: no vertex or no mass has no bounding box", "[A2.17][inertia]")

@@ -292,6 +292,25 @@ TEST_CASE("inertia: a plate however thin has the mass of its volume", "[A2.13][i
         }
 }
 
+TEST_CASE("inertia: a small mesh and a needle have the mass of their volume", "[A2.13][inertia]")
+{
+    // one corner of the box is the origin, or all are as far from it as the box is long
+    for (int power = 0; power <= 60; power += 3)
+        for (const bool is_needle : {false, true})
+            for (const double shift : {0.0, 1.0}) {
+                CAPTURE(power, is_needle, shift);
+                const double small = std::ldexp(1, is_needle ? -power / 3 : -power);
+                const Vector3d size(is_needle ? 1 : small, small, small);
+                const Vector3d corner = shift * Vector3d(size.x(), 0, 0);
+                const double M = 8 * size.prod();
+                const MassProperties found = mesh_mass_properties(box(corner, size), 8);
+                REQUIRE_THAT(found.mass, IsClose(M, Rounding(64)));
+                REQUIRE_THAT(found.inertia(1, 1),
+                             IsClose(M / 12 * (size.x() * size.x() + small * small),
+                                     Rounding(64, 4 * M * size.x() * size.x())));
+            }
+}
+
 TEST_CASE("inertia: a vertex that no triangle uses changes nothing", "[A2.13][inertia]")
 {
     // The vertex may move the point about which a sum is taken, but not far: that would cost

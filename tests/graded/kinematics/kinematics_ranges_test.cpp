@@ -29,10 +29,12 @@ constexpr int many = 1000; // a sum of n terms may be wrong by n eps of their ma
 TEST_CASE("kinematics: the cross-product matrix of small vectors", "[A1.1][kinematics]")
 {
     for (Random random : seeds(10))
-        for (int power = 0; power <= 150; power += 3) {
+        for (int power = 0; power <= 300; power += 3) {
             const Vector3d w = std::pow(10.0, -power) * random.vector();
             CAPTURE(power);
-            REQUIRE_THAT(cross_matrix(w), IsClose(star_of(w), Rounding(8)));
+            Matrix3d star; // its entries are those of w, however small their squares are
+            star << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+            REQUIRE_THAT(cross_matrix(w), IsClose(star, Rounding(8)));
         }
 }
 
@@ -111,4 +113,19 @@ TEST_CASE("kinematics: no particle after particles has no wrench", "[A1.13][kine
         inertial_wrench(random.particles(3), X, V, w);
         REQUIRE_THAT(inertial_wrench({}, X, V, w), IsExactly(Wrench()));
     }
+}
+
+TEST_CASE("kinematics: a point that is nearly on the axis moves a little", "[A1.5][kinematics]")
+{
+    // Each term of ω × (x - X) is exact, and the others are 0.
+    for (int power = 1; power <= 100; ++power)
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double along : {-3.0, 1.0, 5.0}) {
+                CAPTURE(power, axis, along);
+                const double off = std::ldexp(1, -power);
+                const Vector3d e = Vector3d::Unit(axis), f = Vector3d::Unit((axis + 1) % 3);
+                const Vector3d found =
+                    point_velocity({0, 0, 0}, 2 * e, {0, 0, 0}, along * e + off * f);
+                REQUIRE_THAT(found, IsClose(Vector3d(2 * off * e.cross(f)), Rounding(8)));
+            }
 }

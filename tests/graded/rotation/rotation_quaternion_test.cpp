@@ -207,6 +207,21 @@ TEST_CASE("rotation: the rate is perpendicular to q", "[A3.10][rotation]")
     }
 }
 
+TEST_CASE("rotation: a quaternion times nearly its conjugate turns a little", "[A3.5][rotation]")
+{
+    // a (ā + δ) = |a|² + a δ
+    for (Random random : seeds(10))
+        for (int power = 10; power <= 60; power += 2) {
+            CAPTURE(power);
+            const Quaternion a = any_quaternion(random);
+            const double off = std::ldexp(1, -power);
+            const Quaternion b = {a.s, Vector3d(off, off, off) - a.v};
+            const Quaternion found = multiply(a, b);
+            const Vector3d d = b.v + a.v; // off, as it was rounded
+            REQUIRE_THAT(found.v, IsClose(Vector3d(a.s * d + a.v.cross(d)), Rounding(64, 16)));
+        }
+}
+
 TEST_CASE("rotation: the rate is the derivative of the turning quaternion", "[A3.10][rotation]")
 {
     const Vector3d w(1, -2, 0.5);

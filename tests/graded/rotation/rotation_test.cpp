@@ -64,6 +64,22 @@ TEST_CASE("rotation: the matrix update stretches what is perpendicular to ω", "
     REQUIRE_THAT(lengths[2], IsClose(expected[2], Rounding(8 * n)));
 }
 
+TEST_CASE("rotation: the matrix update takes a matrix that has drifted", "[A3.1][rotation]")
+{
+    // Each step stretches the matrix, and the next one turns about another axis.
+    for (Random random : seeds(20)) {
+        Matrix3d R = random.rotation(), expected = R;
+        for (int step = 0; step < 4; ++step) {
+            const Vector3d omega = 2 * random.vector();
+            R = advance_matrix(R, omega, 0.3);
+            const Matrix3d before = expected;
+            for (int i = 0; i < 3; ++i)
+                expected.col(i) += 0.3 * omega.cross(before.col(i));
+            REQUIRE_THAT(R, IsClose(expected, Rounding(64, 16)));
+        }
+    }
+}
+
 TEST_CASE("rotation: the matrix update is of first order", "[A3.1][rotation]")
 {
     const Vector3d w(0.6, 0, 0.8);
