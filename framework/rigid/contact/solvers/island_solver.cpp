@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The solver of an island: accelerated projected Gauss–Seidel sweeps (Silcowitz-Hansen, Niebe and
 // Erleben 2010), and Newton's method where the sweeps do not converge. First the code derives a
-// tolerance from the speeds and the size of the island, then it sweeps. If the sweeps have not
+// tolerance from the speeds and the size of the island, then it sweeps. Where forces press bodies
+// together and no impulses are known yet, Newton's method comes first. If the sweeps have not
 // converged, Newton's method continues in the cases that the header lists, and a few more sweeps
 // check its result.
 #include "rigid/contact/solvers/island_solver.hpp"
@@ -103,6 +104,24 @@ double fastest_approach(const ContactProblem& problem, std::span<const int> acti
     });
 }
 
+// The largest speed at which the forces of this step push two bodies together at a contact [m/s].
+double fastest_push(const ContactProblem& problem, std::span<const int> active)
+{
+    return largest(problem, active, [](const ContactConstraint& c) { return -c.force_speed; });
+}
+
+// Whether forces other than gravity push bodies of the island together.
+bool is_pressed(const ContactProblem& problem, std::span<const int> active)
+{
+    constexpr double noticeable = 0.01; // relative to gravity; less comes from the bodies' spin
+    const Vector3d fall = problem.time_step * problem.settings.gravity;
+    return largest(problem, active, [&](const ContactConstraint& c) {
+               const int falling =
+                   !problem.bodies[c.body1].is_static() - !problem.bodies[c.body2].is_static();
+               return falling * fall.dot(c.normal) - c.force_speed;
+           }) > noticeable * fall.norm();
+}
+
 // The mass of the heaviest body of the island, divided by that of the lightest.
 double mass_ratio(const ContactProblem& problem, const Island& island)
 {
@@ -126,14 +145,14 @@ std::unique_ptr<Sweeps> sweeps_of(ContactProblem& problem, const Island& island,
     return collision_law_sweeps(problem, active);
 }
 
-// Whether the highest speed is at most `speed_at_rest` times |g| h, the speed that gravity gives a
-// body in one step.
-bool is_at_rest(const ContactProblem& problem, double fastest)
+// Whether the highest speed is at most `speed_at_rest` times `push`, the speed that the forces give
+// a body in this step.
+bool is_at_rest(double fastest, double push)
 {
-    // A multiple of |g| h. The forces of this step have already been applied, so gravity has given
-    // a body at rest the speed |g| h. The factor 2 allows for errors of earlier steps.
+    // The forces of this step have already been applied, so gravity has given a body at rest the
+    // speed |g| h. The factor 2 allows for errors of earlier steps.
     constexpr double speed_at_rest = 2;
-    return fastest <= speed_at_rest * problem.settings.gravity.norm() * problem.time_step;
+    return fastest <= speed_at_rest * push;
 }
 
 // Whether the island is at rest relative to a static or driven body that it touches, such as the
@@ -141,8 +160,9 @@ bool is_at_rest(const ContactProblem& problem, double fastest)
 // never counts as at rest.
 // @param speed  the highest speed in world space, which is also the speed relative to a ground at
 //               rest
+// @param push   see `is_at_rest`
 bool rests(const ContactProblem& problem, const Island& island, std::span<const int> active,
-           const std::vector<Body>& grounds, double speed)
+           const std::vector<Body>& grounds, double speed, double push)
 {
     const bool is_free =
         std::none_of(island.pairs.begin(), island.pairs.end(), [&](const ContactPair& pair) {
@@ -151,7 +171,7 @@ bool rests(const ContactProblem& problem, const Island& island, std::span<const 
         });
     return !is_free && std::any_of(grounds.begin(), grounds.end(), [&](const Body& ground) {
         const bool moves = !ground.velocity.isZero(0) || !ground.angular_velocity.isZero(0);
-        return is_at_rest(problem, moves ? fastest(problem, island, active, ground) : speed);
+        return is_at_rest(moves ? fastest(problem, island, active, ground) : speed, push);
     });
 }
 
@@ -212,6 +232,9 @@ struct SolvePlan {
     // Whether the island is not a pile. Newton's method is too slow for piles, whose sparse matrix
     // gets too much fill-in when it is factorized.
     bool is_stack = false;
+    // Whether the island is at rest and other forces than gravity push its bodies together, as
+    // between the jaws of a vice.
+    bool is_pressed = false;
     std::vector<Body> free; // the bodies of a stack before the contact stage; empty for a pile
 };
 
@@ -219,7 +242,10 @@ SolvePlan plan_for(const ContactProblem& problem, const Island& island, std::spa
 {
     const int count = static_cast<int>(active.size());
     const double speed = fastest(problem, island, active, Body());
-    const bool is_resting = rests(problem, island, active, problem.grounds_of(island), speed);
+    const double weight = problem.settings.gravity.norm() * problem.time_step; // [m/s]
+    const double push = fastest_push(problem, active);
+    const bool is_resting =
+        rests(problem, island, active, problem.grounds_of(island), speed, std::max(weight, push));
     const std::size_t bodies = island.bodies.size();
     // A single body on several static or driven bodies, as on the joint between two tiles. There
     // sweeps converge slowly.
@@ -238,6 +264,7 @@ SolvePlan plan_for(const ContactProblem& problem, const Island& island, std::spa
             {sweeps, rounding * speed + tolerance * approach},
             may_use_newton,
             is_stack,
+            is_resting && is_pressed(problem, active),
             is_stack ? problem.bodies_of(island) : std::vector<Body>()};
 }
 
@@ -286,6 +313,25 @@ void continue_by_newton(ContactProblem& problem, const Island& island, std::span
     run_sweeps(problem, sweeps, active.size(), plan.limits);
 }
 
+bool starts_from_zero(const ContactProblem& problem, std::span<const int> active)
+{
+    return std::all_of(active.begin(), active.end(),
+                       [&](int i) { return problem.contacts[i].initial_impulse.isZero(0); });
+}
+
+// Starts with the impulses that Newton's method finds from zero. Its first round is that of equally
+// stiff springs at all contacts, so each face presses evenly. Where the law of contact leaves the
+// loads open, sweeps may put the load of a face on the corner that they visit first. Then friction
+// would turn the body round this corner, and it would slip although the face as a whole holds it.
+void start_by_newton(ContactProblem& problem, const Island& island, std::span<const int> active,
+                     const SolvePlan& plan, Sweeps& sweeps)
+{
+    std::vector<Vector3d> impulses(active.size(), Vector3d::Zero());
+    ++problem.counters->newton_solves;
+    if (newton_impulses(problem, island, plan.free, active, impulses))
+        set_impulses(sweeps, impulses);
+}
+
 } // namespace
 
 void solve_island(ContactProblem& problem, const Island& island, std::span<const int> active)
@@ -293,6 +339,8 @@ void solve_island(ContactProblem& problem, const Island& island, std::span<const
     const SolvePlan plan = plan_for(problem, island, active);
     const std::unique_ptr<Sweeps> sweeps =
         with_shared_loads(problem, island, active, sweeps_of(problem, island, active));
+    if (plan.is_pressed && plan.is_stack && starts_from_zero(problem, active))
+        start_by_newton(problem, island, active, plan, *sweeps);
     const Residuals swept = run_sweeps(problem, *sweeps, active.size(), plan.limits);
     if (!swept.has_converged && (plan.may_use_newton || is_far_off(problem, island, plan, swept)))
         continue_by_newton(problem, island, active, plan, swept, *sweeps);

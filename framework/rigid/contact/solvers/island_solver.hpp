@@ -18,7 +18,9 @@ namespace rigor {
 /// If the sweeps end before they have converged, Newton's method (newton_contact.hpp) may continue,
 /// and further sweeps check its result. Newton's method continues only for an island that is not a
 /// pile (`is_pile`), in these cases:
-/// - The island is at rest relative to a static or driven body that it touches.
+/// - The island is at rest relative to a static or driven body that it touches. If other forces
+///   than gravity push its bodies together, Newton's method also comes before the sweeps, where no
+///   impulses of an earlier step are known.
 /// - The island is a single body that touches several static or driven bodies.
 /// - The masses of its bodies are very different, and the sweeps have ended far from the solution.
 ///

@@ -134,6 +134,11 @@ public:
             row.j = impulses[k];
             rows_.push_back(row);
         }
+        levers_.resize(bodies_.size(), 0.0);
+        for (const NewtonRow& row : rows_)
+            for (const auto& [body, r] :
+                 {std::pair(row.body1, row.r1), std::pair(row.body2, row.r2)})
+                if (body >= 0) levers_[body] = std::max(levers_[body], r.norm());
         v_ = v_free_ + velocity_change();
         last_weight_ = least_last_weight * std::max(1.0, light * largest_ratio());
     }
@@ -326,15 +331,27 @@ private:
             if (!dv.allFinite()) return false;
             const double t = line_search(dv);
             v_ += t * dv;
-            const double size = v_.cwiseAbs().maxCoeff() + v_free_.cwiseAbs().maxCoeff();
-            const double moved = t * dv.cwiseAbs().maxCoeff();
+            const double size = largest_speed(v_) + largest_speed(v_free_);
+            const double moved = t * largest_speed(dv);
             if (moved <= converged * size) return true;
             if (step + 1 == most_steps && moved <= settled * size) return true;
         }
         return false;
     }
 
+    // The largest component of a velocity V or of r ω, where r is the length of the body's longest
+    // lever arm [m/s].
+    double largest_speed(const VectorXd& v) const
+    {
+        double largest = 0;
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
+            largest = std::max({largest, v.segment<3>(6 * i).cwiseAbs().maxCoeff(),
+                                levers_[i] * v.segment<3>(6 * i + 3).cwiseAbs().maxCoeff()});
+        return largest;
+    }
+
     std::vector<const Body*> bodies_;
+    std::vector<double> levers_;     // for each body, the length of its longest lever arm [m]
     std::vector<Matrix3d> inertias_; // inertia tensors in world space, all of them finite
     std::vector<NewtonRow> rows_;
     // V and ω of each body: `v_free_` before the contact stage, `v_` in the current iteration.
