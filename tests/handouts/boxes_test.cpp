@@ -30,7 +30,7 @@ constexpr Limit limits[] = {
     {"A4", "a fifth of the overlap", "rigid/contact/position_correction.cpp",
      "corrected_fraction = 0.2;"},
     {"A4", "a group of at most 32", "rigid/detection/overlap_depth.hpp", "most_refined = 32;"},
-    {"A4", "ten times in all", "rigid/step/substeps/adaptive_substeps.hpp", "most_divisions = 10;"},
+    {"A4", "ten times in all", "rigid/step/substeps/divisions.hpp", "most_divisions = 10;"},
     {"A4", "for half a second", "rigid/step/sleep.cpp", "needed_rest = 0.5;"},
     {"A5", "get 10 iterations", "rigid/contact/solvers/one_at_a_time.cpp", "iterations = 10;"},
     {"A5", "with 40, 160, … iterations", "rigid/contact/solvers/one_at_a_time.cpp", "growth = 4,"},

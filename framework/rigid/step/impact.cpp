@@ -9,7 +9,9 @@
 #include "rigid/bodies/orientation.hpp"
 #include "rigid/contact/collisions.hpp"
 #include "rigid/contact/make_problem.hpp"
+#include "rigid/detection/overlap_depth.hpp"
 #include "rigid/motion/free_flight.hpp"
+#include "rigid/step/approach.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,51 +33,6 @@ struct PairWorld {
     double gap = 0;  // smallest gap of the contacts, at most the `reach` of `pair_at` [m]
     std::vector<Contact> contacts;
 };
-
-// The state of a contact from which its closing is predicted: its gap [m], its v·n (`speed`) [m/s]
-// and the rate at which v·n changes [m/s²].
-struct Approach {
-    double gap = 0, speed = 0, rate = 0;
-
-    // The time t when the gap closes, gap + speed t + ½ rate t² = 0 [s]. It is infinity if the gap
-    // never closes, and 0 if the gap is closed now.
-    double closes() const
-    {
-        if (gap <= 0) return 0;
-        const double root = speed * speed - 2 * rate * gap;
-        if (root < 0) return std::numeric_limits<double>::infinity();
-        const double divisor = -speed + std::sqrt(root);
-        return divisor > 0 ? 2 * gap / divisor : std::numeric_limits<double>::infinity();
-    }
-};
-
-// The contact of a pair that closes first.
-// @return nothing if none of the contacts closes
-std::optional<Approach> first_to_close(const World& world, const ContactProblem& problem,
-                                       const ContactPair& pair)
-{
-    std::optional<Approach> first;
-    double earliest = std::numeric_limits<double>::infinity();
-    for (int i = pair.first; i < pair.last; ++i) {
-        const ContactConstraint& c = problem.contacts[i];
-        const auto velocity = [&](int body) -> Vector3d {
-            const RigidBody& b = world.bodies[body];
-            if (b.is_static) {
-                const Body& driven = problem.bodies[body];
-                return driven.velocity + driven.angular_velocity.cross(c.point - driven.position);
-            }
-            const Vector3d w = angular_velocity(world.settings.integrator, b, b.state);
-            return b.state.velocity + w.cross(c.point - b.state.position);
-        };
-        const double speed = (velocity(c.body1) - velocity(c.body2)).dot(c.normal);
-        const Approach approach{c.gap, speed, c.force_speed / problem.time_step};
-        const double time = approach.closes();
-        if (time >= earliest) continue;
-        earliest = time;
-        first = approach;
-    }
-    return first;
-}
 
 // The two bodies of the contact c after a flight of length `time` from the start of the step, with
 // their contacts whose gap is below `reach`.
@@ -129,23 +86,30 @@ double fastest_near(const World& world, const RigidBody& body, const Vector3d& x
 
 // The two bodies of the contact c at the time when their gap closes, by the secant method from the
 // predicted time, with the contacts that may close in one step.
-// @return nothing if the iteration does not converge
+// @return nothing if the iteration does not converge; the bodies at the end of the step if they do
+//         not meet before
 std::optional<PairWorld> pair_at_impact(const World& world, const ContactConstraint& c,
                                         const Approach& approach, double time_step)
 {
     const double reach = 2 * std::abs(approach.gap) + c.radius;
     double time = approach.closes(), before = 0, gap_before = approach.gap;
+    bool opens = false;
     PairWorld pair = pair_at(world, c, time, reach);
     for (int i = 0; i < most_iterations && std::abs(pair.gap) > touching_gap * c.radius; ++i) {
         const double slope = (pair.gap - gap_before) / (time - before);
-        if (!(slope < 0)) return std::nullopt;
+        opens = !(slope < 0); // they pass each other, or the gap is nothing but rounding
+        if (opens) break;
         before = time;
         gap_before = pair.gap;
         time = std::clamp(time - pair.gap / slope, 0.0, time_step);
         if (time == before) break;
         pair = pair_at(world, c, time, reach);
     }
-    if (std::abs(pair.gap) > nearly_touching_gap * c.radius) return std::nullopt;
+    // A gap that is still open at the end is much smaller than at the start, unless the bodies have
+    // passed each other.
+    const bool is_past_end =
+        time == time_step && pair.gap > 0 && pair.gap < approach.gap / 2 && !opens;
+    if (!is_past_end && std::abs(pair.gap) > nearly_touching_gap * c.radius) return std::nullopt;
     // A pair keeps only a few contacts. If the reach were larger than `near`, these contacts would
     // be spread over the whole bodies, and only one end of an edge that hits might be kept.
     double near = 2 * nearly_touching_gap * c.radius;
@@ -202,6 +166,17 @@ std::vector<ContactRecord> records_of_bounce(const ContactProblem& impact,
     return records;
 }
 
+// Whether a contact that is still open at the time of impact got an impulse because it closes later
+// in the step, such as the other end of a rod.
+bool has_later_hit(const ContactProblem& impact, double radius)
+{
+    return std::any_of(impact.contacts.begin(), impact.contacts.end(),
+                       [&](const ContactConstraint& c) {
+                           return c.restitution > 0 && !c.collision_impulse.isZero(0) &&
+                                  c.gap > nearly_touching_gap * radius;
+                       });
+}
+
 // The states at the end of the step: the bodies fly on with their velocities after the bounce.
 void fly_on(PairWorld& pair, const ContactProblem& impact, const ContactConstraint& c, double rest,
             std::vector<RigidState>& states)
@@ -231,12 +206,15 @@ bool bounced_on_two_sides(const ContactProblem& problem, const ContactPair& pair
 
 // Lets the pair bounce at its time of impact. Changes the states of the pair unless it returns
 // nothing.
-// @param time  is set to the time of impact if it is before the end of this step [s]
+// @param is_alone  whether the step can be divided where one end hits before the other: no other
+//                  pair of an island of few bodies got an impulse
+// @param overlap   measures the overlap in `states`
+// @param time      is set to the time of impact if it is before the end of this step [s]
 // @return the contacts with their impulses; an empty list if the computed time of impact is not
 //         before the end of this step; or nothing if no single bounce within the step was found
 std::optional<std::vector<ContactRecord>>
 bounce_at_impact(const World& world, const ContactProblem& problem, const ContactPair& contacts,
-                 std::vector<RigidState>& states, double& time)
+                 bool is_alone, std::vector<RigidState>& states, Overlap& overlap, double& time)
 {
     if (bounced_on_two_sides(problem, contacts)) return std::nullopt;
     const double h = problem.time_step;
@@ -263,7 +241,16 @@ bounce_at_impact(const World& world, const ContactProblem& problem, const Contac
     std::vector<ContactRecord> records = records_of_bounce(impact, c);
     time = pair->time;
     if (records.empty()) return std::nullopt; // they would meet again in the rest of the step
+    if (is_alone && has_later_hit(impact, c.radius)) return std::nullopt;
+    const std::array before = {states[c.body1], states[c.body2]};
     fly_on(*pair, impact, c, rest, states);
+    // The bounce may have turned the other end of a body into the other body.
+    if (is_alone && overlap.depth(c.body1, c.body2) > nearly_touching_gap * c.radius) {
+        states[c.body1] = before[0];
+        states[c.body2] = before[1];
+        time = 0;
+        return std::nullopt;
+    }
     return records;
 }
 
@@ -345,6 +332,7 @@ void bounce_at_impacts(const World& world, ContactProblem& problem, const std::v
                        const std::vector<Displacement>& displacements,
                        std::vector<RigidState>& states)
 {
+    Overlap overlap(world, states);
     for (Island& island : problem.islands) {
         if (std::none_of(island.pairs.begin(), island.pairs.end(),
                          [&](const ContactPair& pair) { return bounced(problem, pair); }))
@@ -361,7 +349,9 @@ void bounce_at_impacts(const World& world, ContactProblem& problem, const std::v
             };
             if (moves_otherwise(c.body1) || moves_otherwise(c.body2)) continue;
             double time = 0;
-            const auto found = bounce_at_impact(world, problem, *pair, states, time);
+            const bool is_alone = is_only_pair && island.bodies.size() <= few_bodies;
+            const auto found =
+                bounce_at_impact(world, problem, *pair, is_alone, states, overlap, time);
             if (!found && is_only_pair) island.lands_at = time;
             if (!found) continue;
             if (!found->empty()) island.first_moved = std::min(island.first_moved, time);

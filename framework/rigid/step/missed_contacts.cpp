@@ -4,21 +4,30 @@
 // farther from its free flight than its margin can meet a body that the search left out. The swept
 // bounds of each such body are compared with those of the bodies near it, and where these overlap,
 // the contacts of the two bodies are tested. A body that turns far may also pass through a contact
-// that was found; its center is then on the other side.
+// that was found; its center is then on the other side. If few bodies move, the code also looks for
+// overlaps of bodies that flew freely because their contact was not expected to close.
 #include "rigid/step/missed_contacts.hpp"
 
 #include "geometry/shapes/shape_bounds.hpp"
 #include "rigid/bodies/orientation.hpp"
 #include "rigid/detection/overlap_depth.hpp"
 #include "rigid/detection/travel.hpp"
+#include "rigid/motion/free_flight.hpp"
 #include "rigid/step/impact.hpp"
+#include "rigid/step/substeps/divisions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace rigor {
 
 namespace {
+
+bool has(const Island& island, int body)
+{
+    return std::binary_search(island.bodies.begin(), island.bodies.end(), body);
+}
 
 // The motion of a body in a step.
 struct Path {
@@ -59,6 +68,10 @@ public:
     {
         if (std::any_of(candidates_.contacts.begin(), candidates_.contacts.end(),
                         [&](const Contact& c) { return is_passed(c); }))
+            return true;
+        if (is_small(world_) &&
+            std::any_of(candidates_.contacts.begin(), candidates_.contacts.end(),
+                        [&](const Contact& c) { return is_turned_in(c); }))
             return true;
         const std::vector<int> far = far_bodies();
         if (far.empty()) return false;
@@ -104,6 +117,43 @@ private:
         return (passes(c.body1, c.normal.dot(candidates_.poses[c.body1].X - c.point)) ||
                 passes(c.body2, c.normal.dot(c.point - candidates_.poses[c.body2].X))) &&
                (turns_far(c.body1) || turns_far(c.body2));
+    }
+
+    // Whether a body that flies freely turns into another one although the contact was not expected
+    // to close, because its points move along curves. The two bodies are tested in the middle and
+    // at the end of the step.
+    bool is_turned_in(const Contact& c)
+    {
+        double size = 0, bend = 0; // how far a point leaves its tangent, at most [m]
+        for (const int i : {c.body1, c.body2}) {
+            const RigidBody& body = world_.bodies[i];
+            if (body.changes_place() && !problem_.bodies[i].angular_velocity.isZero(0))
+                return false; // a driven body that turns is not in free flight
+            if (body.is_static) continue;
+            size += candidates_.radii[i];
+            if (!body.is_ball()) bend += std::pow(angle_of(i), 2) / 2 * candidates_.radii[i];
+        }
+        const double least = nearly_touching_gap * size;
+        if (c.gap <= least || c.gap > bend || is_in_island(c.body1) || is_in_island(c.body2))
+            return false;
+        std::vector<RigidState> middle = states_;
+        Counters uncounted;
+        const double half = problem_.time_step / 2;
+        for (const int i : {c.body1, c.body2}) {
+            const RigidBody& body = world_.bodies[i];
+            if (body.changes_place())
+                middle[i] = driven_state(*body.drive, world_.time + half);
+            else if (!body.is_static)
+                middle[i] = fly(world_.settings, body, body.state, half, uncounted);
+        }
+        return overlap_.depth(c.body1, c.body2) > least ||
+               Overlap(world_, middle).depth(c.body1, c.body2) > least;
+    }
+
+    bool is_in_island(int i) const
+    {
+        return std::any_of(problem_.islands.begin(), problem_.islands.end(),
+                           [&](const Island& island) { return has(island, i); });
     }
 
     // The bodies that end farther from their free flight than their margin.
@@ -201,10 +251,7 @@ private:
     {
         return std::any_of(
             problem_.islands.begin(), problem_.islands.end(), [&](const Island& island) {
-                const auto has = [&](int body) {
-                    return std::binary_search(island.bodies.begin(), island.bodies.end(), body);
-                };
-                return island.bodies.size() > most_refined && (has(i) || has(j));
+                return island.bodies.size() > most_refined && (has(island, i) || has(island, j));
             });
     }
 

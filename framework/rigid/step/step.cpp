@@ -29,10 +29,9 @@
 #include "rigid/step/sleep.hpp"
 #include "rigid/step/step_result.hpp"
 #include "rigid/step/substeps/adaptive_substeps.hpp"
+#include "rigid/step/substeps/divisions.hpp"
 #include "rigid/step/supported_flight.hpp"
 #include "rigid/step/velocity_update.hpp"
-
-#include <algorithm>
 
 namespace rigor {
 
@@ -61,24 +60,6 @@ std::vector<Displacement> sum(std::vector<Displacement> a, const std::vector<Dis
     return a;
 }
 
-// The step of a whole world is halved at most this many times in a row, so it has at most 2⁶ parts.
-// This bounds the run time if bodies fly about at high speeds, which wrong formulas may cause.
-constexpr int most_halvings = 6;
-
-bool is_small(const World& world)
-{
-    const auto moves = [](const RigidBody& body) { return !body.is_static; };
-    return std::count_if(world.bodies.begin(), world.bodies.end(), moves) <=
-           static_cast<std::ptrdiff_t>(few_bodies);
-}
-
-// Whether the step may be divided into halves once more. In a world of few bodies, divisions at
-// events do not count, because there may be many.
-bool may_be_halved(const World& world, const Divisions& divisions)
-{
-    return (is_small(world) ? divisions.halvings : divisions.all()) < most_halvings;
-}
-
 // A step, or a part of a step that was divided.
 // @param divisions  those on the way to this part, none for the whole step
 std::vector<ContactRecord> step_divided(World& world, double time_step, const Divisions& divisions);
@@ -100,21 +81,6 @@ std::vector<ContactRecord> step_in_halves(World& world, double time_step,
                                           const Divisions& divisions)
 {
     return step_in_parts(world, time_step / 2, time_step / 2, divisions.with(true));
-}
-
-// The time just after the first bounce, if few bodies move and so may meet others after each
-// bounce; otherwise 0 [s]. From this time on, the search for contacts knows how the bodies move on.
-// It is also 0 if a contact carries a load, since the force of a load does not follow well from a
-// very short part.
-double after_first_bounce(const World& world, const ContactProblem& problem,
-                          const Divisions& divisions)
-{
-    if (!is_small(world) || divisions.all() >= most_divisions_of_few) return 0;
-    for (const Island& island : problem.islands)
-        for (const ContactPair& pair : island.pairs)
-            if (carries_load(problem, pair) && !bounced(problem, pair)) return 0;
-    const double time = first_bounce(world, problem) + alone_in_step * problem.time_step;
-    return time < problem.time_step ? time : 0;
 }
 
 // The results of free flight and of the search for contacts.

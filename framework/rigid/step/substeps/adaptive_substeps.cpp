@@ -111,6 +111,45 @@ bool is_pushed_together(const ContactProblem& problem, const ContactPair& pair)
                        });
 }
 
+// Whether no other pair of an island of few bodies got an impulse.
+bool is_lone(const ContactProblem& problem, const Island& island, const ContactPair& pair)
+{
+    return island.bodies.size() <= few_bodies &&
+           std::all_of(island.pairs.begin(), island.pairs.end(), [&](const ContactPair& other) {
+               return other.first == pair.first ||
+                      (!bounced(problem, other) && !carries_load(problem, other));
+           });
+}
+
+// Whether a pair bounced with ε > 0 while all contacts that were hit were open: the bounce was not
+// moved to its time of impact. Bodies that hit a driven body that turns do not count.
+bool bounced_in_air(const World& world, const ContactProblem& problem, const ContactPair& pair)
+{
+    const ContactConstraint& first = problem.contacts[pair.first];
+    const auto is_turning = [&](int i) {
+        return world.bodies[i].changes_place() && !problem.bodies[i].angular_velocity.isZero(0);
+    };
+    if (is_turning(first.body1) || is_turning(first.body2) || !bounced(problem, pair)) return false;
+    return std::all_of(problem.contacts.begin() + pair.first, problem.contacts.begin() + pair.last,
+                       [](const ContactConstraint& c) {
+                           return c.collision_impulse.isZero(0) ||
+                                  (c.restitution > 0 && c.gap > nearly_touching_gap * c.radius);
+                       });
+}
+
+// Whether the contacts of a pair bounced with ε > 0, some of them closed now and some of them open,
+// such as the two ends of a rod.
+bool bounced_twice(const ContactProblem& problem, const ContactPair& pair)
+{
+    bool now = false, later = false;
+    for (int i = pair.first; i < pair.last; ++i) {
+        const ContactConstraint& c = problem.contacts[i];
+        if (c.collision_impulse.isZero(0) || c.restitution == 0) continue;
+        (c.gap <= nearly_touching_gap * c.radius ? now : later) = true;
+    }
+    return now && later;
+}
+
 // Where the step of an island is divided in two parts.
 struct Division {
     enum class At { event, middle, start }; // `start`: just after a bounce at the start of the step
@@ -133,6 +172,7 @@ constexpr double apart = 1e-6;
 //    bounce and no contact carries a load. The load of a contact that bounced does not count: it
 //    stops bodies that were pushed together again. (For any other load, the next step starts from
 //    its mean force in the later part of this step, so this part must not be very short.)
+// 3. The only pair that bounces in such an island, if one end of a body hits before the other.
 //
 // A bounce that `bounce_at_impacts` has moved to its time of impact does not count. The exact time
 // matters, as in billiards: balls separate along the line of centers that they have at the impact.
@@ -151,6 +191,10 @@ Division first_impact(const World& world, const ContactProblem& problem, const I
     const bool is_small = island.bodies.size() <= few_bodies && bounces > 1 && !is_loaded;
 
     const double h = problem.time_step;
+    if (std::any_of(island.pairs.begin(), island.pairs.end(), [&](const ContactPair& pair) {
+            return is_lone(problem, island, pair) && bounced_twice(problem, pair);
+        }))
+        return {alone_in_step * h, Division::At::start};
     double first = h, last_at_start = 0;
     std::ptrdiff_t at_start = 0, later = 0, in_flight = 0; // numbers of bounces
     for (const ContactPair& pair : island.pairs) {
@@ -253,11 +297,15 @@ Division division_of(const World& world, const ContactProblem& problem, const Is
     const auto is_any = [&](const auto& condition) {
         return std::any_of(island.pairs.begin(), island.pairs.end(), condition);
     };
+    const auto in_air = [&](const ContactPair& pair) {
+        return is_lone(problem, island, pair) && bounced_in_air(world, problem, pair);
+    };
     const auto pushed = [&](const ContactPair& pair) { return is_pushed_together(problem, pair); };
     const auto runs = [&](const ContactPair& pair) {
         return island.bodies.size() == 1 && runs_round_rim(world, problem, states, pair);
     };
-    if (is_pulled ? is_any(pushed) : is_any(std::ref(overlaps_anew)) || is_any(runs))
+    if (is_pulled ? is_any(pushed)
+                  : is_any(std::ref(overlaps_anew)) || is_any(runs) || is_any(in_air))
         division = {h / 2, Division::At::middle};
     else if (divisions.all() < most_divisions_of_sliding)
         division.time = end_of_sliding(problem, island, first);

@@ -4,6 +4,7 @@
 #include "rigid/bodies/world.hpp"
 #include "rigid/contact/contact_problem.hpp"
 #include "rigid/detection/contact_candidates.hpp"
+#include "rigid/step/substeps/divisions.hpp"
 
 #include <functional>
 
@@ -16,31 +17,9 @@ struct Refinement {
     std::vector<WarmContact> warm_contacts;
 };
 
-/// How often a step was divided on the way to one of its parts: in the middle, and at the time of
-/// an event, which is an impact or the end of sliding.
-struct Divisions {
-    int halvings = 0, events = 0;
-    bool is_after_bounce = false; // whether the last one was just after a bounce at the start
-
-    int all() const { return halvings + events; }
-    Divisions with(bool is_halved) const { return {halvings + is_halved, events + !is_halved}; }
-};
-
 /// Does a part of a divided step of a world and returns its contacts.
 using StepOfPart = std::function<std::vector<ContactRecord>(World& world, double time_step,
                                                             const Divisions& divisions)>;
-
-/// The limits of `Divisions::all`, which bound the run time. Ten halvings make parts that take a
-/// 1024th of the step. In an island of at most `few_bodies` bodies, more divisions are allowed at
-/// impacts whose times differ: each such division resolves one more bounce, whose energy would be
-/// lost otherwise.
-inline constexpr int most_divisions = 10;
-inline constexpr int most_divisions_of_few = 400;
-/// A share of the step that is so short that no second bounce follows a first one in it.
-inline constexpr double alone_in_step = 1e-9;
-/// Parts of this depth are not divided at the end of sliding: the step is divided at the predicted
-/// time, and its parts at the corrected one.
-inline constexpr int most_divisions_of_sliding = 2;
 
 /// Repeats the step of an island in two parts, in these cases:
 /// 1. The overlap of two bodies has grown too much. The step is divided in the middle. During a
@@ -63,8 +42,13 @@ inline constexpr int most_divisions_of_sliding = 2;
 ///    contact carries a load but those that are hit. The step is divided at the first impact.
 /// 7. Such forces push two bodies together that should bounce, so strongly that they meet within
 ///    the step although they separate at its start. The step is divided in the middle.
-/// 8. In an island of a single body, a contact runs far round the rim of this body
-///    (rim_contact.hpp). The step is divided in the middle.
+/// 8. The only pair that gets an impulse in an island of at most `few_bodies` bodies bounces with
+///    ε > 0, and one end of a body hits before the other end. The step is divided at the first hit,
+///    and just after it.
+/// 9. Such a pair bounces, but the bounce was not moved to its time of impact. The step is divided
+///    in the middle.
+/// 10. In an island of a single body, a contact runs far round the rim of this body
+///     (rim_contact.hpp). The step is divided in the middle.
 ///
 /// In cases 2 and 3, a bounce does not count if `bounce_at_impacts` (impact.hpp) has already moved
 /// it to its time of impact.
