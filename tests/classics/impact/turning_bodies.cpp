@@ -82,7 +82,7 @@ TEST_CASE("classics: bodies that turn bounce alike with every step", "[classics]
     }
     CAPTURE(throws, wrong);
     check_at_least(throws, 200, "throws whose motion is known");
-    // One in sixteen is wrong with one of the four steps, most by less than a millimeter: smooth
+    // One in sixteen is wrong with one of the four steps, half of them by less than 2 mm: smooth
     // bodies that turn by much in a step, and hit twice in it.
     check_at_most(static_cast<double>(wrong.size()) / throws, 0.08, "share of wrong throws");
 }
