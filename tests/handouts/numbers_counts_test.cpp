@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
-// How many multiplications it takes to turn a point, counted by numbers that count.
+// How many multiplications it takes to turn a point, counted by numbers that count, and how many
+// right and wrong formulas A8 has.
 #include "formulas/rotation.hpp"
+#include "graded/validation/drawn_forms.hpp"
+#include "handouts/handouts.hpp"
 #include "handouts/numbers.hpp"
 #include "support/catch.hpp"
 
+#include <fmt/format.h>
+
 using namespace rigor;
 using namespace rigor::handouts;
+using namespace rigor::testing;
 
 namespace {
 
@@ -121,4 +127,54 @@ TEST_CASE("A3: multiplications that turn a point", "[numbers]")
                 "It wins at one point with 15 against 19, and loses from two points on, with 30 "
                 "against 28.",
                 {double(short_form), double(first), 2.0 * short_form, double(first + more)});
+}
+
+namespace {
+
+std::string in_words(std::size_t n)
+{
+    const char* const words[] = {"no",  "one",   "two",   "three", "four", "five",
+                                 "six", "seven", "eight", "nine",  "ten"};
+    return n < std::size(words) ? words[n] : std::to_string(n);
+}
+
+std::string handout_of_validation()
+{
+    for (const Handout& handout : all_handouts())
+        if (handout.label == "A8") return handout.text;
+    FAIL("there is no handout of A8");
+    return {};
+}
+
+} // namespace
+
+TEST_CASE("the handout of A8 says how many formulas are tried", "[handouts]")
+{
+    const std::string text = handout_of_validation();
+    const auto says = [&](const std::string& words) {
+        CAPTURE(words);
+        CHECK(text.find(words) != std::string::npos);
+    };
+    const auto right = [](std::size_t n, const char* what) {
+        return in_words(n) + " right " + what;
+    };
+
+    says(fmt::format("- A8.1: {}; {} ordinary mistakes, such as exchanged masses; {} in",
+                     right(right_collisions().size(), "formulas"),
+                     line_collisions().ordinary.size(), line_collisions().special.size()));
+    says(fmt::format("- A8.2: {}, {} ordinary mistakes, {} in special cases",
+                     right(right_springs().size(), "formulas"), spring_forces().ordinary.size(),
+                     spring_forces().special.size()));
+    says(fmt::format("- A8.3: {}, {} ordinary mistakes, {} on and near single directions",
+                     right(right_tangents().size(), "formulas"), tangents().ordinary.size(),
+                     tangents().special.size()));
+    says(fmt::format("- A8.4: {}, {} ordinary mistakes, {} in special cases",
+                     right(right_steps().size(), "methods"), oscillator_steps().ordinary.size(),
+                     oscillator_steps().special.size()));
+    says(fmt::format("- A8.5: {} with and without roots; {} with a wrong power or a hidden "
+                     "constant; {}\n",
+                     right(right_units().size(), "formulas"), wrong_powers().size(),
+                     wrong_thresholds().size()));
+    says(fmt::format("how many of the {} ordinary and of the {} special wrong formulas",
+                     line_collisions().ordinary.size(), line_collisions().special.size()));
 }

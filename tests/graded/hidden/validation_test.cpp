@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A8.6: wrong formulas that students do not see. They are wrong by less, or for fewer arguments,
 // than those that students see. No clue is given.
+#include "graded/validation/drawn_forms.hpp"
 #include "graded/validation/judge.hpp"
 #include "support/catch.hpp"
 
@@ -69,7 +70,7 @@ FormulaWithUnits with_units(const NumericFormula& wrong, const NumericFormula& r
 
 TEST_CASE("line collision: hidden mistakes are rejected", "[A8.6][validation][hidden]")
 {
-    const auto right = numeric(line_collisions().right);
+    const auto right = right_collisions();
     const NumericFormula& f = right[0];
     check_test(students_test(test_line_collision), right,
                without_clues({
@@ -96,7 +97,7 @@ TEST_CASE("line collision: hidden mistakes are rejected", "[A8.6][validation][hi
 
 TEST_CASE("spring force: hidden mistakes are rejected", "[A8.6][validation][hidden]")
 {
-    const auto right = numeric(spring_forces().right);
+    const auto right = right_springs();
     const NumericFormula& f = right[0];
     const auto distance = [](const N& a) {
         return std::hypot(a[3] - a[0], a[4] - a[1], a[5] - a[2]);
@@ -130,11 +131,11 @@ TEST_CASE("spring force: hidden mistakes are rejected", "[A8.6][validation][hidd
 
 TEST_CASE("tangent: hidden mistakes are rejected", "[A8.6][validation][hidden]")
 {
-    const auto right = numeric(tangents().right);
+    const auto right = right_tangents();
     const NumericFormula& f = right[0];
     check_test(
         students_test(test_tangent), right,
-        without_clues({
+        in_drawn_directions(without_clues({
             in_single_precision(f),
             with_result(f, [](const N& n, N& t) { t[0] *= n[0] == n[1] ? 0 : 1; }),
             with_result(f, [](const N& n, N& t) { t[2] += n[2] < -0.999 ? 1e-9 : 0; }),
@@ -166,13 +167,13 @@ TEST_CASE("tangent: hidden mistakes are rejected", "[A8.6][validation][hidden]")
                             const double away = std::hypot(n[0] - n[1], n[0] + n[2]);
                             if (n[2] > 0 && away < 1e-7) t = {M_SQRT1_2, -M_SQRT1_2, 0};
                         }),
-        }),
+        })),
         Texts::kept);
 }
 
 TEST_CASE("oscillator: hidden mistakes are rejected", "[A8.6][validation][hidden]")
 {
-    const auto right = numeric(oscillator_steps().right);
+    const auto right = right_steps();
     const NumericFormula& f = right[0];
     check_test(
         students_test(test_oscillator_step), right,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "judge.hpp"
 
+#include "drawn_forms.hpp"
 #include "support/catch.hpp"
 #include "support/in_words.hpp"
 #include "support/random.hpp"
@@ -130,6 +131,7 @@ void check_test(std::vector<Candidate> candidates, Texts texts)
     std::size_t wrong_ones = 0;
     for (const std::size_t i : drawn_order(candidates.size())) {
         Candidate& candidate = candidates[i];
+        candidate.formula = with_drawn_digits(candidate.formula, static_cast<unsigned>(i));
         const Judgement judgement = judged(candidate, texts);
         candidate.is_accepted = judgement.rejected_in == 0;
         if (candidate.is_right && !candidate.is_accepted) FAIL(accusation(judgement, texts));
@@ -142,66 +144,6 @@ void check_test(std::vector<Candidate> candidates, Texts texts)
         if (!candidate.is_right && candidate.is_accepted) accepted.push_back(candidate.clue);
     require_rejected(accepted, wrong_ones);
     check_count(accepted.size(), 0, "wrong formulas that your test accepts");
-}
-
-double largest(const std::vector<double>& numbers)
-{
-    double result = 0;
-    for (const double number : numbers)
-        result = std::max(result, std::abs(number));
-    return result;
-}
-
-bool differs(const std::vector<double>& a, const std::vector<double>& b)
-{
-    constexpr double clearly = 1e-3; // relative to the largest number
-    const double scale = std::max(largest(a), largest(b));
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (!(std::abs(a[i] - b[i]) <= clearly * scale)) return true;
-    return false;
-}
-
-std::size_t index_below(std::size_t n, Random& random)
-{
-    return static_cast<std::size_t>(random.bits() % n);
-}
-
-NumericFormula wrong_result(const NumericFormula& formula, std::size_t i, int kind, Random& random)
-{
-    const double factor = 1 + random.uniform(0.01, 0.5), threshold = random.uniform(-1, 1);
-    return [=, before = std::optional<double>()](const std::vector<double>& from) mutable {
-        std::vector<double> result = formula(from);
-        double& number = result[i];
-        const double right = number;
-        if (kind == 0) number *= factor;
-        if (kind == 1) number = -number;
-        if (kind == 2) number = before.value_or(number);
-        if (kind == 3 && number > threshold) number *= factor;
-        before = right;
-        return result;
-    };
-}
-
-NumericFormula wrong_arguments(const NumericFormula& formula, std::size_t i, std::size_t k,
-                               bool exchanges)
-{
-    return [=](std::vector<double> from) {
-        if (exchanges)
-            std::swap(from[i], from[k]);
-        else
-            from[i] = 1;
-        return formula(from);
-    };
-}
-
-NumericFormula mutant(const NumericFormula& formula, const std::vector<double>& arguments,
-                      Random& random)
-{
-    const std::size_t results = formula(arguments).size();
-    const int kind = static_cast<int>(random.bits() % 6);
-    if (kind < 4) return wrong_result(formula, index_below(results, random), kind, random);
-    const std::size_t i = index_below(arguments.size(), random);
-    return wrong_arguments(formula, i, index_below(arguments.size(), random), kind == 4);
 }
 
 } // namespace
@@ -236,53 +178,20 @@ void check_test_of_units(const std::vector<FormulaWithUnits>& right,
                          const std::vector<FormulaWithUnits>& wrong, Texts texts)
 {
     std::vector<Candidate> candidates;
+    const auto add = [&](const FormulaWithUnits& formula, const NumericFormula& form,
+                         bool is_right) {
+        const unsigned seed = static_cast<unsigned>(candidates.size());
+        candidates.push_back({students_test_of_units(formula), with_drawn_factors(form, seed),
+                              is_right, is_right ? "" : formula.clue});
+    };
     for (const FormulaWithUnits& formula : right)
-        candidates.push_back({students_test_of_units(formula), formula.formula, true, ""});
+        add(formula, formula.formula, true);
     for (const FormulaWithUnits& formula : wrong) {
         if (!formula.right) throw std::logic_error("a wrong formula with units has no right one");
-        const StudentsTest test = students_test_of_units(formula);
-        candidates.push_back({test, formula.formula, false, formula.clue});
-        candidates.push_back({test, formula.right, true, ""});
+        add(formula, formula.formula, false);
+        add(formula, formula.right, true);
     }
     check_test(std::move(candidates), texts);
-}
-
-NumericFormula
-rounded(const NumericFormula& formula,
-        const std::function<std::vector<double>(const std::vector<double>&)>& largest_terms)
-{
-    // Two such formulas differ, and a vector of three such components is wrong, by less than the
-    // 1e-12 that a test has to allow.
-    constexpr double rounding = 0.25e-12;
-    return [=](const std::vector<double>& from) {
-        std::uint64_t hash = 0; // the same arguments have the same result
-        for (const double number : from)
-            hash = hash * 1099511628211u + std::bit_cast<std::uint64_t>(number);
-        Random random(static_cast<unsigned>(hash ^ hash >> 32));
-        std::vector<double> result = formula(from);
-        const std::vector<double> terms = largest_terms(from);
-        for (std::size_t i = 0; i < result.size(); ++i)
-            result[i] += rounding * terms[i] * random.uniform(-1, 1);
-        return result;
-    };
-}
-
-std::vector<WrongNumeric> mutants(const NumericFormula& formula,
-                                  const std::function<std::vector<double>(unsigned seed)>& draw,
-                                  std::size_t count)
-{
-    constexpr unsigned cases = 40;
-    Random random(first_seed() + 4000);
-    std::vector<WrongNumeric> all;
-    while (all.size() < count) {
-        const NumericFormula wrong = mutant(formula, draw(0), random);
-        NumericFormula tried = wrong; // a copy, which remembers its own calls
-        unsigned different = 0;
-        for (unsigned seed = 0; seed < cases; ++seed)
-            different += differs(formula(draw(seed)), tried(draw(seed))) ? 1 : 0;
-        if (4 * different >= cases) all.push_back({"", wrong});
-    }
-    return all;
 }
 
 } // namespace rigor::testing

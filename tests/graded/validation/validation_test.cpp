@@ -2,7 +2,9 @@
 // A8.1 to A8.5: the tests that a student wrote accept every right formula and reject the wrong
 // ones. Each test case tries a test on all right formulas and on wrong ones, in a random order. So
 // rejecting everything earns nothing, and neither does accepting everything.
+#include "drawn_forms.hpp"
 #include "judge.hpp"
+#include "mutants.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 #include "support/seeds.hpp"
@@ -39,46 +41,6 @@ std::vector<double> oscillator(unsigned seed)
     Random random(first_seed() + seed);
     const double w = random.uniform(0.5, 4);
     return {random.uniform(-2, 2), random.uniform(-2, 2), w, random.uniform(0.1, 0.5) / w};
-}
-
-using Numbers = std::vector<double>;
-
-std::vector<NumericFormula> right_collisions()
-{
-    std::vector<NumericFormula> all = numeric(line_collisions().right);
-    all.push_back(rounded(all[0], [](const Numbers& a) {
-        const double fastest = std::max(std::abs(a[2]), std::abs(a[3])); // also moving apart
-        return Numbers{fastest, fastest};
-    }));
-    return all;
-}
-
-std::vector<NumericFormula> right_springs()
-{
-    std::vector<NumericFormula> all = numeric(spring_forces().right);
-    all.push_back(rounded(all[0], [](const Numbers& a) {
-        const double r = (Vector3d(a[3], a[4], a[5]) - Vector3d(a[0], a[1], a[2])).norm();
-        const double k = a[6], L = a[7];
-        return Numbers(3, r > 0 ? k * std::max(r, L) : 0);
-    }));
-    return all;
-}
-
-std::vector<NumericFormula> right_tangents()
-{
-    std::vector<NumericFormula> all = numeric(tangents().right);
-    all.push_back(rounded(all[0], [](const Numbers&) { return Numbers(3, 1.0); }));
-    return all;
-}
-
-std::vector<NumericFormula> right_oscillators()
-{
-    std::vector<NumericFormula> all = numeric(oscillator_steps().right);
-    all.push_back(rounded(all[0], [](const Numbers& a) {
-        const double w = a[2], A = std::hypot(a[0], a[1] / w);
-        return Numbers{A, w * A};
-    }));
-    return all;
 }
 
 } // namespace
@@ -127,24 +89,25 @@ TEST_CASE("tangent: ordinary mistakes are rejected", "[A8.3][validation]")
 
 TEST_CASE("tangent: mistakes in special cases are rejected", "[A8.3][validation]")
 {
-    check_test(students_test(test_tangent), right_tangents(), numeric(tangents().special));
+    check_test(students_test(test_tangent), right_tangents(),
+               in_drawn_directions(numeric(tangents().special)));
 }
 
 TEST_CASE("oscillator: ordinary mistakes are rejected", "[A8.4][validation]")
 {
-    check_test(students_test(test_oscillator_step), right_oscillators(),
+    check_test(students_test(test_oscillator_step), right_steps(),
                numeric(oscillator_steps().ordinary));
 }
 
 TEST_CASE("oscillator: mistakes in special cases are rejected", "[A8.4][validation]")
 {
-    check_test(students_test(test_oscillator_step), right_oscillators(),
+    check_test(students_test(test_oscillator_step), right_steps(),
                numeric(oscillator_steps().special));
 }
 
 TEST_CASE("oscillator: mutants made by a program are rejected", "[A8.4][validation]")
 {
-    const auto right = right_oscillators();
+    const auto right = right_steps();
     check_test(students_test(test_oscillator_step), right,
                mutants(right[0], oscillator, mutant_count));
 }
