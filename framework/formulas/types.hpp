@@ -16,7 +16,8 @@
 //     inertia 0, and no formula divides by its mass.
 //   * Every formula is total: the result is finite for finite arguments, as long as a double holds
 //     the terms that the formula adds up, and their squares. The exceptions are A3.13 (for ω = 0)
-//     and A6.7 (for G = 0), which are then infinite. A formula remembers no earlier call.
+//     and A6.7 (for G = 0), which are then infinite. A formula remembers no earlier call, and for
+//     a zero of either sign it has the same result.
 #pragma once
 
 #include <Eigen/Dense>

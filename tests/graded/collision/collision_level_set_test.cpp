@@ -146,6 +146,22 @@ TEST_CASE("collision: beyond each face, edge and corner the distance to the box 
         }
 }
 
+TEST_CASE("collision: a small way beyond a face counts beside a long one", "[A4.1][collision]")
+{
+    const Vector3d corner(2, 3, 4); // the highest one, where φ = 1
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double far : {0.125, 1.0, 1024.0})
+            for (int power = 0; power <= 22; ++power) {
+                const double near = std::ldexp(far, -power);
+                CAPTURE(axis, far, near);
+                Vector3d p = corner;
+                p[axis] += far;
+                p[(axis + 1) % 3] += near;
+                const double away = std::hypot(far, near);
+                REQUIRE_THAT(sample_level_set(slab, p), IsClose(1 + away, Rounding(16, 1 + away)));
+            }
+}
+
 TEST_CASE("collision: far outside the grid the distance is finite", "[A4.1][collision]")
 {
     for (double far : {1e6, 1e9, 1e12, 1e20, 1e100}) {

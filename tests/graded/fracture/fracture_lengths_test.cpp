@@ -31,8 +31,11 @@ TetrahedralMesh apart(const std::vector<Tetrahedron>& tetrahedra, std::size_t ve
 
 // Numbers of indices with 8, 16 and 20 bits; of the latter, three fit into 64 bits.
 constexpr int index_counts[] = {narrow, wide, 1 << 20};
-// These, numbers for those who think in decimals, and the root of the largest index of 32 bits.
-constexpr int all_counts[] = {narrow, wide, 1 << 20, 1000, 10000, 100'000, 1'000'000, 46'341};
+// These, other powers of two, numbers for those who think in decimals, and the root of the largest
+// index of 32 bits.
+constexpr int all_counts[] = {narrow,  wide,    1 << 20, 128,       512,   1024,   2048,   4096,
+                              1 << 13, 1 << 14, 1 << 15, 1 << 17,   500,   1000,   2000,   5000,
+                              10000,   50000,   100'000, 1'000'000, 9'999, 46'341, 20'000, 65'535};
 
 // Pairs of tetrahedra with faces, edges or vertices that become one if an index is kept modulo B,
 // or if indices are added up with a factor B between them: (a, b + B, c) and (a + 1, b, c), the

@@ -49,6 +49,20 @@ void check_unused(const TetrahedralMesh& mesh, int count)
             check_that(mesh.vertices[v] != far_away, "no tetrahedron has the unused vertex");
 }
 
+// Checks that the unused vertex has itself as its origin.
+void check_origin(const SplitMesh& result, int unused)
+{
+    check_count(result.origins.size(), vertex_count(result.mesh), "origins, one for each vertex");
+    for (std::size_t v = 0; v < result.mesh.vertices.size(); ++v) {
+        if (result.mesh.vertices[v] != far_away) continue;
+        const VertexOrigin& origin = result.origins[v];
+        const bool is_itself =
+            (origin.first == unused && origin.fraction == 0) ||
+            (origin.second == unused && (origin.fraction == 1 || origin.first == unused));
+        check_that(is_itself, "the origin of an unused vertex is this vertex");
+    }
+}
+
 // Checks that no tetrahedron is inverted, which would be a mistake in the test.
 void require_positive(const TetrahedralMesh& mesh)
 {
@@ -203,8 +217,7 @@ TEST_CASE("fracture: along faces an unused vertex stays", "[A7.5][fracture]")
             const SplitMesh result = split_along_faces(mesh, is_cut ? std::vector<MeshFace>{{0, 0}}
                                                                     : std::vector<MeshFace>());
             check_unused(result.mesh, is_cut ? 9 : 6);
-            check_count(result.origins.size(), vertex_count(result.mesh),
-                        "origins, one for each vertex");
+            check_origin(result, unused);
         }
     }
 }
@@ -219,9 +232,10 @@ TEST_CASE("fracture: through elements an unused vertex stays", "[A7.6][fracture]
         // the plane has two of its corners and halves the edge between the other two
         const SplitMesh result = split_element(mesh, vertex, normal);
         check_unused(result.mesh, 6 + 1 + 1);
-        check_count(result.origins.size(), vertex_count(result.mesh),
-                    "origins, one for each vertex");
-        check_unused(split_element(mesh, unused, normal).mesh, 6);
+        check_origin(result, unused);
+        const SplitMesh whole = split_element(mesh, unused, normal);
+        check_unused(whole.mesh, 6);
+        check_origin(whole, unused);
     }
 }
 

@@ -118,13 +118,27 @@ TEST_CASE("inertia: empty cells count for nothing", "[A2.11][inertia]")
     }
 }
 
-TEST_CASE("inertia: however many samples miss the solid before others hit it", "[A2.12][inertia]")
+TEST_CASE("inertia: samples that miss the solid count wherever they are", "[A2.12][inertia]")
 {
     const Beads few(20);
+    const std::vector<DensitySample> hits = few.samples();
     for (const int n : idle_elements) {
         CAPTURE(n);
+        const std::vector<DensitySample> before = behind(n, empty_sample, hits);
+        const std::vector<DensitySample> after(before.rbegin(), before.rend());
+        std::vector<DensitySample> between = hits;
+        between.insert(between.begin() + 10, static_cast<std::size_t>(n), empty_sample);
         // a volume of 1 for each sample
-        few.check(sampled_mass_properties(behind(n, empty_sample, few.samples()), n + 20));
+        few.check(sampled_mass_properties(before, n + 20));
+        few.check(sampled_mass_properties(after, n + 20));
+        few.check(sampled_mass_properties(between, n + 20));
+        if (n > 300) continue;
+        std::vector<DensitySample> each; // n of them after each sample that hits
+        for (const DensitySample& hit : hits) {
+            each.push_back(hit);
+            each.insert(each.end(), static_cast<std::size_t>(n), empty_sample);
+        }
+        few.check(sampled_mass_properties(each, 20 * n + 20));
     }
 }
 

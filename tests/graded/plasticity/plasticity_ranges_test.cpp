@@ -94,6 +94,54 @@ TEST_CASE("plasticity: a shear strain counts however small it is beside the chan
         }
 }
 
+namespace {
+
+// Principal stresses of very different sizes, from 1e-100 to 1e100, in all orders; one is 0.
+template <class Check> void with_unlike_stresses(const Check& check)
+{
+    for (const double large : {1e-50, 1.0, 1e50, 1e100})
+        for (const double small : {0.0, 1e-100, -1e-80, 1e-55, -1e-20, 1e-3, -0.5})
+            for (int order = 0; order < 6; ++order) {
+                if (std::abs(small) > large) continue;
+                Vector3d s = Vector3d::Zero();
+                s[order % 3] = large;
+                s[(order + 1 + order / 3) % 3] = small;
+                CAPTURE(s);
+                const double ratio = small / large;
+                check(s, large * std::sqrt(1 - ratio + ratio * ratio));
+            }
+}
+
+} // namespace
+
+TEST_CASE("plasticity: principal stresses of very different sizes", "[A6.2][plasticity]")
+{
+    with_unlike_stresses([](const Vector3d& s, double expected) {
+        REQUIRE_THAT(von_mises_principal(s[0], s[1], s[2]), IsClose(expected, Rounding(32)));
+    });
+}
+
+TEST_CASE("plasticity: stresses of very different sizes on the diagonal", "[A6.3][plasticity]")
+{
+    with_unlike_stresses([](const Vector3d& s, double expected) {
+        REQUIRE_THAT(von_mises_frobenius(s.asDiagonal()), IsClose(expected, Rounding(32)));
+    });
+}
+
+TEST_CASE("plasticity: entries of very different sizes", "[A6.4][plasticity]")
+{
+    with_unlike_stresses([](const Vector3d& s, double expected) {
+        REQUIRE_THAT(von_mises(s.asDiagonal()), IsClose(expected, Rounding(32)));
+    });
+}
+
+TEST_CASE("plasticity: strains of very different sizes", "[A6.6][plasticity]")
+{
+    with_unlike_stresses([](const Vector3d& s, double expected) {
+        REQUIRE_THAT(von_mises_from_strain(s.asDiagonal(), 3), IsClose(6 * expected, Rounding(32)));
+    });
+}
+
 TEST_CASE("plasticity: a strain counts however small it is", "[A6.6][plasticity]")
 {
     for (Random random : seeds(10)) {
