@@ -64,17 +64,13 @@ std::string doubt()
     return "";
 }
 
-// The argument that tells Catch2 which test cases to run: those with these tags that have no
-// verdict yet, and without an oracle no hidden ones.
-std::string specification(const std::vector<std::string>& tags, bool has_oracle,
-                          const Verdicts& before)
+// The argument that tells Catch2 which test cases to run: those with this tag that have no verdict
+// yet, and without an oracle no hidden ones.
+std::string specification(const std::string& tag, bool has_oracle, const Verdicts& before)
 {
-    std::string result;
-    for (const std::string& tag : tags) {
-        result += (result.empty() ? "[" : ",[") + tag + "]" + (has_oracle ? "" : "~[hidden]");
-        for (const TestCase& done : before.of(tag))
-            result += "~\"" + done.name + "\"";
-    }
+    std::string result = "[" + tag + "]" + (has_oracle ? "" : "~[hidden]");
+    for (const TestCase& done : before.of(tag))
+        result += "~\"" + done.name + "\"";
     return result;
 }
 
@@ -113,8 +109,9 @@ Command test_command(const GradingRun& run, const Implementation& implementation
     command.arguments.insert(command.arguments.end(),
                              {"--verdicts", std::to_string(message_descriptor), "--stall",
                               fmt::format("{}", longest_stall(before)), "--seed",
-                              std::to_string(run.seed),
-                              specification(tags, run.oracle.has_value(), before)});
+                              std::to_string(run.seed)});
+    for (const std::string& tag : tags) // one after the other
+        command.arguments.push_back(specification(tag, run.oracle.has_value(), before));
     if (!run.secret.empty())
         command.environment = {
             std::string(seed_key_variable) + "=" +

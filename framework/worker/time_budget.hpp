@@ -14,8 +14,8 @@
 // end, and a solution that does not return is soon given up.
 //
 // All starts of the worker together have a budget too (`Limits::all_starts`). A start constructs
-// the global objects of a submission, and each test case starts the worker again. When this budget
-// is used up, a start must be as fast as `Limits::late_start`.
+// the global objects of a submission, and the worker starts again for each task and after each test
+// case that failed. When this budget is used up, a start must be as fast as `Limits::late_start`.
 #pragma once
 
 #include "formulas/table.hpp"

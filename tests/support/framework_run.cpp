@@ -5,7 +5,7 @@
 namespace rigor::testing {
 
 void prepare(const RunOptions&) {}
-void begin_test_case(const std::string&, const StalledLine&) {}
+void begin_test_case(const std::string&, bool, const StalledLine&) {}
 std::string last_call_text()
 {
     return "";

@@ -132,10 +132,14 @@ void follow_through(const std::string& tag)
 
 } // namespace
 
-/// Starts a new worker process for each test case, so that no test case can affect the next one.
-void begin_test_case(const std::string& tag, const StalledLine& stalled)
+/// Starts a new worker process for each task, so that no task can affect another one, and after
+/// each test case that failed.
+void begin_test_case(const std::string& tag, bool goes_on, const StalledLine& stalled)
 {
-    renew_worker();
+    if (goes_on)
+        forget_calls();
+    else
+        renew_worker();
     limit_of_test.reset();
     limit_of_test.emplace("the test", longest_test_now());
     if (verdicts >= 0) watch_own_time({verdicts, stalled.before, stalled.after}, longest_stall);

@@ -28,8 +28,10 @@ struct StalledLine {
     std::string before, after;
 };
 
-/// Called before each test case. @param tag  the tag of its task; empty if it has none
-void begin_test_case(const std::string& tag, const StalledLine& stalled);
+/// Called before each test case.
+/// @param tag      the tag of its task; empty if it has none
+/// @param goes_on  whether the test case before was of the same task, and passed
+void begin_test_case(const std::string& tag, bool goes_on, const StalledLine& stalled);
 
 /// The last call of a formula in this test case as C++ to paste; empty if there was none or if it
 /// is too long to read.

@@ -198,11 +198,16 @@ void answer_from(SceneAnswers* answers)
     run = answers;
 }
 
-void renew_worker()
+void forget_calls()
 {
     last.reset();
     recent.clear();
     oldest = 0;
+}
+
+void renew_worker()
+{
+    forget_calls();
     worker().renew();
 }
 

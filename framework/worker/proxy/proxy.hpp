@@ -38,8 +38,11 @@ void replace_by_reference(const FormulaSet& these);
 /// The formulas that the reference answers at present.
 const FormulaSet& replaced_by_reference();
 
-/// Ends the process of the worker under test, so that the next call starts a fresh one, and clears
-/// `last_call` and `recent_calls`.
+/// Clears `last_call` and `recent_calls`.
+void forget_calls();
+
+/// Ends the process of the worker under test, so that the next call starts a fresh one, and forgets
+/// the calls.
 void renew_worker();
 
 /// A call of a formula with its encoded arguments.
@@ -48,11 +51,11 @@ struct FormulaCall {
     Bytes arguments;
 };
 
-/// The last call of a formula of the worker under test since `renew_worker`, if there was one.
+/// The last call of a formula of the worker under test since `forget_calls`, if there was one.
 /// Within a scene, only a call that failed is kept.
 const std::optional<FormulaCall>& last_call();
 
-/// The last calls of the worker under test since `renew_worker`: up to 64 calls, in any order.
+/// The last calls of the worker under test since `forget_calls`: up to 64 calls, in any order.
 /// Calls whose arguments take more than 16 kB are left out, and within a scene all calls that did
 /// not fail.
 std::span<const FormulaCall> recent_calls();

@@ -152,7 +152,7 @@ TEST_CASE("scoring: after a test that computes without end the others run", "[sc
     // end (--stall), and knows what the first one has cost (--spent).
     const auto with = [&](const std::string& rest) {
         return graded("", "case \"$*\" in *'--spent 1 2 A2.2'*'--stall 2'*'[A2.1]'*'~\"topic: a "
-                          "law\",[A2.2]'*) " +
+                          "law\" [A2.2]'*) " +
                               rest + ";; *) " + first + ";; esac; exit 75");
     };
     const Result result = with(second + say(end_of_all));
