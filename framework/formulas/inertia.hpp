@@ -45,8 +45,8 @@ Vector3d invert_moments(const Vector3d& moments);
 
 /// A2.6 A solid sphere about its center: M = ρ 4/3 π r³, I = 2/5 M r² δ.
 ///
-/// The size of a solid may be 0; then its mass and inertia are 0. This also holds for A2.7 to
-/// A2.10.
+/// The size of a solid may be 0; then its mass and inertia are 0. A hole has a negative density,
+/// and so a negative mass and inertia. Both also hold for A2.7 to A2.10.
 ///
 /// @param density  ρ [kg/m³]
 /// @param radius   r ≥ 0 [m]

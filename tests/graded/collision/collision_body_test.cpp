@@ -171,6 +171,24 @@ TEST_CASE("collision: the deepest contact comes first", "[A4.11][collision]")
     check_deepest({contact(0.1, approaching)}, 0);
 }
 
+TEST_CASE("collision: an angular momentum that turns nothing hides no impulse",
+          "[A4.10][collision]")
+{
+    // About the axis of a rod, I⁻¹ is 0: L may be of any size there, and ω has no part of it.
+    for (Random random : seeds(10))
+        for (const double size : {0.0, 1e3, 1e6, 1e9, 1e12}) {
+            const Vector3d n = random.unit_vector(), arm = random.vector(), j = random.vector();
+            Body rod;
+            rod.inverse_mass = 0.5;
+            rod.inverse_inertia = 3 * (Matrix3d::Identity() - n * n.transpose());
+            rod.angular_momentum = size * n;
+            CAPTURE(size, n);
+            const Body after = apply_impulse(rod, rod.position + arm, j);
+            REQUIRE_THAT(after.angular_velocity,
+                         IsClose(Vector3d(rod.inverse_inertia * arm.cross(j)), Rounding(32, 20)));
+        }
+}
+
 TEST_CASE("collision: contacts that separate already are passed over", "[A4.11][collision]")
 {
     check_deepest({contact(0.1, approaching), contact(0.3, separating), contact(0.2, approaching)},

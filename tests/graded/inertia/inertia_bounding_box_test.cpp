@@ -158,3 +158,21 @@ TEST_CASE("inertia: no vertex or no mass has no bounding box", "[A2.17][inertia]
     REQUIRE_THAT(bounding_box_mass_properties({Vector3d(0, 0, 0), Vector3d(1, 2, 3)}, 0),
                  IsExactly(MassProperties{}));
 }
+
+TEST_CASE("inertia: a vertex that comes again changes no bounding box", "[A2.17][inertia]")
+{
+    for (Random random : seeds(10)) {
+        std::vector<Vector3d> vertices;
+        for (int i = 0; i < 7; ++i)
+            vertices.push_back(random.vector());
+        const MassProperties expected = bounding_box_mass_properties(vertices, 2);
+        for (std::size_t which = 0; which < 7; ++which)
+            for (std::ptrdiff_t place = 0; place <= 7; ++place) {
+                CAPTURE(which, place);
+                std::vector<Vector3d> more = vertices;
+                more.insert(more.begin() + place, vertices[which]);
+                REQUIRE_THAT(bounding_box_mass_properties(more, 2),
+                             IsClose(expected, Rounding(8, 2)));
+            }
+    }
+}

@@ -162,3 +162,46 @@ TEST_CASE("inertia: a rod without length weighs nothing", "[A2.10][inertia]")
 {
     REQUIRE_THAT(thin_rod(3, 0), IsExactly(MassProperties{}));
 }
+
+namespace {
+
+// Checks that a solid of negative density, a hole, has the opposite mass and inertia.
+template <class Solid> void check_hole(const Solid& solid)
+{
+    for (Random random : seeds(10)) {
+        const Vector3d size = random.vector().cwiseAbs();
+        const double density = random.uniform(0.1, 20);
+        const MassProperties full = solid(density, size), hole = solid(-density, size);
+        REQUIRE_THAT(hole.mass, IsClose(-full.mass, Rounding(8)));
+        REQUIRE_THAT(hole.inertia, IsClose(Matrix3d(-full.inertia), Rounding(8)));
+        REQUIRE_THAT(hole.center_of_mass, IsClose(full.center_of_mass, Rounding(8)));
+    }
+}
+
+} // namespace
+
+TEST_CASE("inertia: a spherical hole", "[A2.6][inertia]")
+{
+    check_hole([](double density, const Vector3d& s) { return solid_sphere(density, s.x()); });
+}
+
+TEST_CASE("inertia: a hole that is a box", "[A2.7][inertia]")
+{
+    check_hole([](double density, const Vector3d& s) { return solid_box(density, s); });
+}
+
+TEST_CASE("inertia: a drilled hole", "[A2.8][inertia]")
+{
+    check_hole(
+        [](double density, const Vector3d& s) { return solid_cylinder(density, s.x(), s.y()); });
+}
+
+TEST_CASE("inertia: a hole that is an ellipsoid", "[A2.9][inertia]")
+{
+    check_hole([](double density, const Vector3d& s) { return solid_ellipsoid(density, s); });
+}
+
+TEST_CASE("inertia: a rod that is taken away", "[A2.10][inertia]")
+{
+    check_hole([](double density, const Vector3d& s) { return thin_rod(density, s.x()); });
+}

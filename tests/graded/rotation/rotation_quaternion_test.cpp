@@ -136,6 +136,25 @@ TEST_CASE("rotation: components of very different sizes are normalized as well",
         }
 }
 
+TEST_CASE("rotation: whichever component is the largest", "[A3.7][rotation]")
+{
+    for (int large = 0; large < 4; ++large)
+        for (int small = 0; small < 4; ++small)
+            for (const double size : {1e-150, 1.0, 1e150, 1e300})
+                for (const double ratio : {0.1, 1e-10, 1e-100, 1e-155, 1e-160}) {
+                    if (small == large) continue;
+                    CAPTURE(large, small, size, ratio);
+                    Eigen::Vector4d q = Eigen::Vector4d::Zero(), unit = q;
+                    q[large] = -size;
+                    q[small] = ratio * size;
+                    unit[large] = -1 / std::hypot(1, ratio);
+                    unit[small] = ratio / std::hypot(1, ratio);
+                    REQUIRE_THAT(
+                        normalize({q[0], q.tail<3>()}),
+                        IsClose(Quaternion{unit[0], Vector3d(unit.tail<3>())}, Rounding(8, 1)));
+                }
+}
+
 TEST_CASE("rotation: a quarter turn about z takes x to y", "[A3.8][rotation]")
 {
     const Quaternion q = {half_root, {0, 0, half_root}};

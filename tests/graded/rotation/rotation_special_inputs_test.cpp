@@ -7,6 +7,8 @@
 #include "support/in_words.hpp"
 #include "support/seeds.hpp"
 
+#include <numbers>
+
 namespace rotation_special_inputs_test {
 
 using namespace rigor;
@@ -34,11 +36,13 @@ template <class Check> void for_each_update(const Check& check)
                 }
 }
 
-// Calls check(n) for axes along x, y and z, and for others.
+// Calls check(n) for axes along x, y and z, both ways, for all diagonals, and for others.
 template <class Check> void for_each_axis(const Check& check)
 {
-    for (int i = 0; i < 3; ++i)
-        check(Vector3d(Vector3d::Unit(i)));
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z)
+                if (x != 0 || y != 0 || z != 0) check(Vector3d(x, y, z).normalized());
     for (Random random : seeds(20))
         check(random.unit_vector());
 }
@@ -64,6 +68,52 @@ TEST_CASE("rotation: the matrix of a half turn", "[A3.9][rotation]")
     for_each_axis([](const Vector3d& n) {
         REQUIRE_THAT(to_matrix({0, n}), IsClose(half_turn(n), Rounding(64, 1)));
     });
+}
+
+namespace {
+
+// Calls check(q, R) for turns by multiples of 30° about these axes, in which q has either sign.
+template <class Check> void for_each_turn(const Check& check)
+{
+    for_each_axis([&](const Vector3d& n) {
+        for (int step = -12; step <= 12; ++step) {
+            const double half = step * std::numbers::pi / 12;
+            Quaternion q{std::cos(half), std::sin(half) * n};
+            if (step % 6 == 0) q.s = step % 12 == 0 ? q.s : 0; // exactly half a turn
+            CAPTURE(step, n);
+            check(q, Matrix3d(Eigen::AngleAxisd(2 * half, n)));
+        }
+    });
+}
+
+} // namespace
+
+TEST_CASE("rotation: turns by multiples of 30° about every diagonal", "[A3.8][rotation]")
+{
+    for_each_turn([](const Quaternion& q, const Matrix3d& R) {
+        const Vector3d p(1, 2, 3);
+        REQUIRE_THAT(rotate(q, p), IsClose(Vector3d(R * p), Rounding(64, 8)));
+    });
+}
+
+TEST_CASE("rotation: matrices of turns by multiples of 30° about every diagonal",
+          "[A3.9][rotation]")
+{
+    for_each_turn([](const Quaternion& q, const Matrix3d& R) {
+        REQUIRE_THAT(to_matrix(q), IsClose(R, Rounding(64, 1)));
+    });
+}
+
+TEST_CASE("rotation: turns by multiples of 30° one after the other", "[A3.5][rotation]")
+{
+    std::vector<Quaternion> turns;
+    for_each_turn([&](const Quaternion& q, const Matrix3d&) { turns.push_back(q); });
+    for (Random random : seeds(10))
+        for (const Quaternion& q : turns) {
+            const Quaternion& p = turns[random.bits() % turns.size()];
+            CAPTURE(p, q);
+            REQUIRE_THAT(multiply(q, p), IsClose(plain(eigen(q) * eigen(p)), Rounding(16, 1)));
+        }
 }
 
 TEST_CASE("rotation: the exact update turns by any angle, forth and back", "[A3.11][rotation]")
