@@ -31,7 +31,8 @@ Body any_body(Random& random)
 }
 
 // Three to six bodies with two contacts for each of them, in every eighth case ten. Some of them
-// have the same depth.
+// have the same depth, and some the same point. In half of the cases they are sorted by their
+// depths, up or down, where only equal depths show an order that is not that of the list.
 ContactCase any_case(Random& random)
 {
     ContactCase result;
@@ -39,15 +40,23 @@ ContactCase any_case(Random& random)
     for (std::size_t i = 0; i < count; ++i)
         result.bodies.push_back(any_body(random));
     const std::size_t contacts = (random.bits() % 8 == 0 ? 10 : 2) * count;
+    const Vector3d shared_point = random.vector();
     for (std::size_t i = 0; i < contacts; ++i) {
         const int body1 = random_index(random, count);
         const int body2 = (body1 + 1 + random_index(random, count - 1)) % static_cast<int>(count);
         BodyContact c = touch(body1, body2, random.uniform(-1, 1), random.vector());
         if (random.bits() % 3 == 0) c.depth = std::round(2 * c.depth) / 2;
+        if (random.bits() % 3 == 0) c.point = shared_point;
         c.normal = random.unit_vector();
         if (random.bits() % 3 != 0) c.separation_speed = random.uniform(-1, 1);
         result.contacts.push_back(c);
     }
+    const double up = static_cast<double>(random.bits() % 4) - 1; // -1, 0, 1 or 2
+    if (std::abs(up) == 1)
+        std::stable_sort(result.contacts.begin(), result.contacts.end(),
+                         [&](const BodyContact& a, const BodyContact& b) {
+                             return up * a.depth < up * b.depth;
+                         });
     return result;
 }
 

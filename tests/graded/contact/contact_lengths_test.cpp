@@ -129,6 +129,25 @@ TEST_CASE("contact: simultaneously indices of many bits", "[A5.5][contact]")
     check_indices(at_once);
 }
 
+TEST_CASE("contact: the levels of any number of cycles", "[A5.3][contact]")
+{
+    for (const int n :
+         {1, 2, 3, 15, 16, 17, 64, 127, 128, 255, 256, 257, 300, 1000, 32768, 65537}) {
+        CAPTURE(n);
+        // pairs that lean on each other, each pair on the one below
+        std::vector<std::vector<int>> rests_on;
+        std::vector<int> expected;
+        for (int i = 0; i < n; ++i) {
+            rests_on.push_back({2 * i + 1});
+            rests_on.push_back({2 * i});
+            if (i > 0) rests_on[2 * i].push_back(2 * i - 2);
+            expected.insert(expected.end(), 2, i + 1);
+        }
+        REQUIRE_THAT(contact_levels(rests_on, std::vector<bool>(rests_on.size())),
+                     IsExactly(expected));
+    }
+}
+
 TEST_CASE("contact: the levels of any number of bodies", "[A5.3][contact]")
 {
     for (const int n : lengths(0, most)) {

@@ -149,6 +149,24 @@ TEST_CASE("fracture: the normal of a small face has as many digits as the others
             }
 }
 
+TEST_CASE("fracture: a crack across all faces of a flat tetrahedron", "[A7.4][fracture]")
+{
+    // The normals of all faces are nearly z, and that of the crack is x or y. The tip is h above
+    // the foot, so |n_f · n| is at most 4 h: along y for the face with the edge y = 0, and along x
+    // for that with the edge x = 0.
+    for (int power = 2; power <= 44; power += 3)
+        for (int first = 0; first < 4; ++first) {
+            CAPTURE(power, first);
+            std::array<Vector3d, 4> x;
+            x[first] = {0, 0, 0};
+            x[(first + 1) % 4] = {2, 0, 0};
+            x[(first + 2) % 4] = {0, 2, 0};
+            x[(first + 3) % 4] = {0.5, 0.25, std::ldexp(1, -power)};
+            REQUIRE_THAT(closest_face(x, {0, 1, 0}), IsExactly((first + 2) % 4));
+            REQUIRE_THAT(closest_face(x, {1, 0, 0}), IsExactly((first + 1) % 4));
+        }
+}
+
 TEST_CASE("fracture: any tension above the threshold opens a crack", "[A7.3][fracture]")
 {
     for (Random random : seeds(50)) {

@@ -174,6 +174,23 @@ TEST_CASE("fracture: all tetrahedra of a cut edge are halved however they are co
     }
 }
 
+TEST_CASE("fracture: an edge on the other side of an earlier crack stays whole", "[A7.6][fracture]")
+{
+    // Two tetrahedra with one face in common come apart there. The places of its edges are still
+    // the same, but the edges are others.
+    const TetrahedralMesh whole = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}},
+                                   {{0, 1, 2, 3}, {4, 1, 3, 2}}};
+    const SplitMesh apart = split_along_faces(whole, {{0, 0}});
+    check_count(vertex_count(apart.mesh), 8, "vertices of two tetrahedra that came apart");
+    const int corner = apart.mesh.tetrahedra[0][0];
+    // The plane has this corner and that at (0, 0, 1), and crosses the edge between the others.
+    const SplitMesh result = split_element(apart.mesh, corner, Vector3d(1, -1, 0).normalized());
+    check_count(tetrahedron_count(result.mesh), 3, "tetrahedra: one of the two is halved");
+    // Where the mesh is whole, both are halved.
+    const SplitMesh both = split_element(whole, 0, Vector3d(1, -1, 0).normalized());
+    check_count(tetrahedron_count(both.mesh), 4, "tetrahedra: both are halved at the edge");
+}
+
 TEST_CASE("fracture: a tetrahedron beside the vertex has no side", "[A7.6][fracture]")
 {
     // Three tetrahedra around an edge. The last one does not have vertex 0, but its vertices are

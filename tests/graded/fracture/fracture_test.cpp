@@ -92,6 +92,25 @@ TEST_CASE("fracture: what has no volume does not count in an average", "[A7.1][f
                  IsExactly(std::vector<Matrix3d>{A, B, O}));
 }
 
+TEST_CASE("fracture: neighbours without volume at any place in the list", "[A7.1][fracture]")
+{
+    // an element and three neighbours, each with a volume of 0, 1 or 2 m³, in every combination
+    const std::vector<Matrix3d> stresses = {tridiagonal, Matrix3d::Ones(), Matrix3d::Identity(),
+                                            Vector3d(1, 2, 3).asDiagonal()};
+    for (int pattern = 0; pattern < 81; ++pattern) {
+        CAPTURE(pattern);
+        const std::vector<double> V = {double(pattern % 3), double(pattern / 3 % 3),
+                                       double(pattern / 9 % 3), double(pattern / 27)};
+        Matrix3d sum = Matrix3d::Zero();
+        for (std::size_t i = 0; i < 4; ++i)
+            sum += V[i] * stresses[i];
+        const double all = V[0] + V[1] + V[2] + V[3];
+        const Matrix3d expected = all > 0 ? Matrix3d(sum / all) : stresses[0];
+        const std::vector<Matrix3d> smooth = smooth_stress(stresses, {{1, 2, 3}, {}, {}, {}}, V);
+        REQUIRE_THAT(smooth.at(0), IsClose(expected, Rounding(16, 4)));
+    }
+}
+
 TEST_CASE("fracture: an even stress is smooth already", "[A7.1][fracture][property]")
 {
     for (Random random : seeds(20)) {

@@ -106,3 +106,16 @@ TEST_CASE("plasticity: what has no stiffness never yields", "[A6.7][plasticity]"
     INFO("and what has no strength does at once");
     REQUIRE_THAT(yield_strain(0, 3), IsExactly(0.0));
 }
+TEST_CASE("plasticity: the first Lamé constant may be as negative as it likes",
+          "[A6.5][plasticity]")
+{
+    for (Random random : seeds(10)) {
+        const Matrix3d strain = random_symmetric(random);
+        for (const double lambda : {-0.5, -2.0 / 3, -1.0, -5.0, -1e3}) {
+            CAPTURE(lambda);
+            const Matrix3d expected = lambda * strain.trace() * Matrix3d::Identity() + 2 * strain;
+            REQUIRE_THAT(isotropic_stress(strain, lambda, 1),
+                         IsClose(expected, Rounding(16, 4 * (2 - lambda) * strain.norm())));
+        }
+    }
+}

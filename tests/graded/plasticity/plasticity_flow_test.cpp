@@ -213,4 +213,29 @@ TEST_CASE("plasticity: a stress just above the yield surface flows just a little
     }
 }
 
+TEST_CASE("plasticity: the von Mises stress decides and no single entry", "[A6.8][plasticity]")
+{
+    // deviators whose largest entry is nearly as large as the von Mises stress, or far smaller
+    for (const Vector3d& d : {Vector3d(0, 0, 0), Vector3d(1, -1, 0), Vector3d(1, 1, -2),
+                              Vector3d(-2, 1, 1), Vector3d(0, 0.25, -0.25)})
+        for (int shears = 0; shears < 27; ++shears)
+            for (const double pressure : {0.0, 2.0}) {
+                Matrix3d sigma = (d + pressure * Vector3d::Ones()).asDiagonal();
+                sigma(0, 1) = sigma(1, 0) = shears % 3 - 1;
+                sigma(1, 2) = sigma(2, 1) = shears / 3 % 3 - 1;
+                sigma(2, 0) = sigma(0, 2) = shears / 9 - 1;
+                const double mises = mises_of(sigma);
+                if (mises == 0) continue;
+                for (const double excess : {1e-9, 1e-6, 1e-3, 0.02, 0.1, 0.3}) {
+                    CAPTURE(sigma, excess);
+                    const Matrix3d before = Matrix3d::Zero();
+                    REQUIRE_THAT(plastic_flow(before, sigma, mises * (1 + excess), 1),
+                                 IsExactly(before));
+                    const Flow flowed = flow(sigma, mises / (1 + excess), 1);
+                    REQUIRE_THAT(mises_of(flowed.new_stress),
+                                 IsClose(mises / (1 + excess), Rounding(128, sigma.norm())));
+                }
+            }
+}
+
 } // namespace plasticity_flow_test

@@ -96,49 +96,88 @@ TEST_CASE("plasticity: a shear strain counts however small it is beside the chan
 
 namespace {
 
-// Principal stresses of very different sizes, from 1e-100 to 1e100, in all orders; one is 0.
-template <class Check> void with_unlike_stresses(const Check& check)
+// The von Mises stress in more digits and with a larger range of exponents.
+double exact_mises(const Matrix3d& A)
 {
-    for (const double large : {1e-50, 1.0, 1e50, 1e100})
-        for (const double small : {0.0, 1e-100, -1e-80, 1e-55, -1e-20, 1e-3, -0.5})
-            for (int order = 0; order < 6; ++order) {
-                if (std::abs(small) > large) continue;
-                Vector3d s = Vector3d::Zero();
-                s[order % 3] = large;
-                s[(order + 1 + order / 3) % 3] = small;
-                CAPTURE(s);
-                const double ratio = small / large;
-                check(s, large * std::sqrt(1 - ratio + ratio * ratio));
-            }
+    const auto a = [&A](int i, int j) -> long double { return A(i, j); };
+    const auto squared = [](long double x) { return x * x; };
+    const long double differences = squared(a(0, 0) - a(1, 1)) + squared(a(1, 1) - a(2, 2)) +
+                                    squared(a(2, 2) - a(0, 0)),
+                      shears = squared(a(0, 1)) + squared(a(1, 2)) + squared(a(2, 0));
+    return static_cast<double>(std::sqrt(differences / 2 + 3 * shears));
+}
+
+// Tensors of two entries, or pairs of entries, at all places. One is smaller than the other by any
+// factor from 2 to 1e200; both lie between 1e-100 and 1e100.
+template <class Check> void with_unlike_entries(const Check& check)
+{
+    std::vector<double> ratios;
+    for (int power = 1; power <= 40; power += 3)
+        ratios.push_back(1.5 * std::ldexp(1, -power));
+    for (const double ratio : {-1e-20, 1e-60, -1e-100, 1e-140, 1e-200})
+        ratios.push_back(ratio);
+    for (int large = 0; large < 9; ++large)
+        for (int small = 0; small < 9; ++small)
+            for (const double ratio : ratios)
+                for (const double size : {1e-50, 1.0, 1e100}) {
+                    const int i = large / 3, j = large % 3, k = small / 3, l = small % 3;
+                    if (i > j || k > l || large == small || size * std::abs(ratio) < 0.9e-100)
+                        continue;
+                    Matrix3d A = Matrix3d::Zero();
+                    A(i, j) = A(j, i) = size;
+                    A(k, l) = A(l, k) = ratio * size;
+                    CAPTURE(i, j, k, l, size, ratio);
+                    check(A);
+                }
 }
 
 } // namespace
 
 TEST_CASE("plasticity: principal stresses of very different sizes", "[A6.2][plasticity]")
 {
-    with_unlike_stresses([](const Vector3d& s, double expected) {
-        REQUIRE_THAT(von_mises_principal(s[0], s[1], s[2]), IsClose(expected, Rounding(32)));
+    with_unlike_entries([](const Matrix3d& A) {
+        if (!A.isDiagonal(0)) return;
+        REQUIRE_THAT(von_mises_principal(A(0, 0), A(1, 1), A(2, 2)),
+                     IsClose(exact_mises(A), Rounding(32)));
     });
 }
 
-TEST_CASE("plasticity: stresses of very different sizes on the diagonal", "[A6.3][plasticity]")
+TEST_CASE("plasticity: near every special state of stress", "[A6.2][plasticity]")
 {
-    with_unlike_stresses([](const Vector3d& s, double expected) {
-        REQUIRE_THAT(von_mises_frobenius(s.asDiagonal()), IsClose(expected, Rounding(32)));
+    // pure shear, tension, pressure on two sides; one stress is off by any factor
+    for (const Vector3d& special : {Vector3d(1, 0, -1), Vector3d(1, 0, 0), Vector3d(1, 1, 0),
+                                    Vector3d(2, -1, -1), Vector3d(3, 2, 1), Vector3d(-2, 0, 2)})
+        for (int shift = 0; shift < 3; ++shift)
+            for (int which = 0; which < 3; ++which)
+                for (int power = 1; power <= 40; ++power)
+                    for (const double sign : {1.0, -1.0}) {
+                        CAPTURE(special, shift, which, power);
+                        Vector3d s(special[shift], special[(shift + 1) % 3],
+                                   special[(shift + 2) % 3]);
+                        s[which] += sign * std::ldexp(1.5, -power);
+                        REQUIRE_THAT(von_mises_principal(s[0], s[1], s[2]),
+                                     IsClose(exact_mises(s.asDiagonal()), Rounding(32)));
+                    }
+}
+
+TEST_CASE("plasticity: stresses of very different sizes", "[A6.3][plasticity]")
+{
+    with_unlike_entries([](const Matrix3d& A) {
+        REQUIRE_THAT(von_mises_frobenius(A), IsClose(exact_mises(A), Rounding(32)));
     });
 }
 
 TEST_CASE("plasticity: entries of very different sizes", "[A6.4][plasticity]")
 {
-    with_unlike_stresses([](const Vector3d& s, double expected) {
-        REQUIRE_THAT(von_mises(s.asDiagonal()), IsClose(expected, Rounding(32)));
+    with_unlike_entries([](const Matrix3d& A) {
+        REQUIRE_THAT(von_mises(A), IsClose(exact_mises(A), Rounding(32)));
     });
 }
 
 TEST_CASE("plasticity: strains of very different sizes", "[A6.6][plasticity]")
 {
-    with_unlike_stresses([](const Vector3d& s, double expected) {
-        REQUIRE_THAT(von_mises_from_strain(s.asDiagonal(), 3), IsClose(6 * expected, Rounding(32)));
+    with_unlike_entries([](const Matrix3d& A) {
+        REQUIRE_THAT(von_mises_from_strain(A, 3), IsClose(6 * exact_mises(A), Rounding(32)));
     });
 }
 

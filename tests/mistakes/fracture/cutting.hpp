@@ -118,10 +118,11 @@ SplitMesh split_where(const TetrahedralMesh& mesh, IsCut is_cut, bool keeps_unus
 
 /// The rules of `split_element` (A7.6); each mistake changes one.
 struct ElementRules {
-    bool halves_neighbours = true; // otherwise only tetrahedra at the vertex are split
-    bool halves_only_fan = false;  // those around a cut edge that faces connect to the vertex
-    bool opens = true;             // otherwise the mesh is only refined
-    bool opens_rim = false;        // separates each tetrahedron at the vertex from all others
+    bool halves_neighbours = true;     // otherwise only tetrahedra at the vertex are split
+    bool halves_only_fan = false;      // those around a cut edge that faces connect to the vertex
+    bool halves_across_cracks = false; // also those with other vertices at the same places
+    bool opens = true;                 // otherwise the mesh is only refined
+    bool opens_rim = false;            // separates each tetrahedron at the vertex from all others
     bool halves_in_the_middle = false;
     double nearest_to_an_end = 0;    // the least distance of a new vertex from an end of its edge
     bool swaps_corners = false;      // in one of the two halves
@@ -201,6 +202,13 @@ inline SplitMesh split_by(const ElementRules& rules, const TetrahedralMesh& mesh
         some([](double h) { return h > 0; }) && some([](double h) { return h < 0; });
     if (rules.asks_for_both_sides && !is_two_sided) return split;
 
+    // The corner that has this vertex; by mistake also one at the same place; 4 if there is none.
+    const auto place_of = [&](const Tetrahedron& t, int v) {
+        int c = corner_of(t, v);
+        for (int k = 0; k < 4 && c == 4 && rules.halves_across_cracks; ++k)
+            if (x[t[k]] == x[v]) c = k;
+        return c;
+    };
     std::set<std::pair<int, int>> edges;
     for (const Tetrahedron& t : mesh.tetrahedra)
         for (int a : t)
@@ -219,12 +227,13 @@ inline SplitMesh split_by(const ElementRules& rules, const TetrahedralMesh& mesh
         if (rules.halves_only_fan) fan = fan_around(tetrahedra, a, b, vertex);
         for (std::size_t i = 0, count = tetrahedra.size(); i < count; ++i) {
             const Tetrahedron whole = tetrahedra[i];
-            if (!has(whole, a) || !has(whole, b)) continue;
+            const int at_a = place_of(whole, a), at_b = place_of(whole, b);
+            if (at_a == 4 || at_b == 4) continue;
             if (!rules.halves_neighbours && !has(whole, vertex)) continue;
             if (rules.halves_only_fan && !fan.contains(i)) continue;
-            tetrahedra[i][corner_of(whole, b)] = p;
+            tetrahedra[i][at_b] = p;
             tetrahedra.push_back(whole);
-            tetrahedra.back()[corner_of(whole, a)] = p;
+            tetrahedra.back()[at_a] = p;
             if (rules.swaps_corners) std::swap(tetrahedra.back()[0], tetrahedra.back()[1]);
             split.parents.push_back(split.parents[i]);
         }
