@@ -81,8 +81,9 @@ bool is_item(const std::string& line)
     return line.starts_with("- ") || is_numbered(line);
 }
 
-// Whether a line begins a list and so ends the paragraph before it. A line of a paragraph may begin
-// with the last number of a sentence, such as "3. ", so only "1. " begins a numbered list.
+// Whether a line begins a list, which ends the paragraph before it. A numbered list must begin with
+// "1. ". Other numbers do not count: a sentence may end with a number, such as "3. ", and this
+// number may begin the next line.
 bool begins_list(const std::string& line)
 {
     return line.starts_with("- ") || line.starts_with("1. ");

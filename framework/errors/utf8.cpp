@@ -13,11 +13,10 @@ struct Range {
     std::uint32_t first, last;
 };
 
-// The control characters, and the characters without a look of their own: those of Unicode's
-// category Cf (format) and those that it calls default-ignorable. Fillers of Hangul are among them.
-// Arabic and Kaithi signs of category Cf are not, since they are drawn. Neither are the joiners
-// U+200C and U+200D, which names in Persian and in Indian scripts need, and the selectors U+FE00 to
-// U+FE0F, which emoji have.
+// The control characters and the invisible characters: Unicode's category Cf (format) and its
+// default-ignorable characters, such as the fillers of Hangul. Three kinds of them are left out:
+// Arabic and Kaithi signs of category Cf, which are visible; U+200C and U+200D, which names in
+// Persian and in Indian scripts need; U+FE00 to U+FE0F, which emoji need.
 constexpr Range controls[] = {
     {0x00, 0x1F},       {0x7F, 0x9F},       {0xAD, 0xAD},       {0x034F, 0x034F},
     {0x061C, 0x061C},   {0x115F, 0x1160},   {0x17B4, 0x17B5},   {0x180B, 0x180F},

@@ -51,8 +51,9 @@ struct MeshOf {
     template <class Other> TriangleMesh operator()(const Other&) const { return {}; }
 };
 
-// The normal of a triangle at one of its vertices: the mean of the normals of all triangles there
-// that differ by less than 30 degrees from its own normal, weighted by their angles at the vertex.
+// The normal for shading, at a corner of a triangle. It is the mean of the normals of the triangles
+// at this vertex, weighted by their angles there. Normals that differ by more than 30 degrees from
+// the triangle's own are left out, so that edges look sharp.
 class CornerNormals {
 public:
     CornerNormals(const TriangleMesh& mesh, const std::vector<Vector3d>& normals)

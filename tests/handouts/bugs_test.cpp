@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each bug to find stands in a function that no task asks for. It does what its handout says of it,
-// and breaks a law that the function keeps when it is right.
+// The handouts show functions with a bug to find, which no task asks for. The wrong function gives
+// the result that its handout describes, and it breaks a law. The right function keeps this law.
 #include "handouts/bugs.hpp"
 
 #include "handouts/handouts.hpp"

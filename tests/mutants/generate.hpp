@@ -23,10 +23,10 @@ struct Generated {
     std::vector<Mutant> mutants;
 };
 
-/// The source with all its mutants, except for those with these numbers. One of them is chosen at
-/// run time by RIGOR_MUTANT="stem number"; without a choice all functions are the unchanged ones.
-/// The stem is the name of the source, `fracture_vertices`; up to its first underscore it is a
-/// topic.
+/// The source with all its mutants, except those whose numbers are in `without`. At run time,
+/// RIGOR_MUTANT="STEM NUMBER" selects one of them; otherwise all functions are the unchanged ones.
+/// @param stem  the name of the source without `.cpp`, such as `fracture_vertices`; the part before
+///              its first underscore is the topic
 Generated generate(const Source& source, const std::string& stem, const std::set<int>& without);
 
 } // namespace rigor::mutants

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Seeded random cases with the same bits on every platform, which the standard library's
-// distributions do not have.
+// Seeded random cases. They have the same bits on every platform, while the distributions of the
+// standard library may differ.
 #pragma once
 
 #include "formulas/types.hpp"

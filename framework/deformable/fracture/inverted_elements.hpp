@@ -7,12 +7,12 @@
 
 namespace rigor {
 
-/// Moves the nodes of an element to its shape without stress, R (δ + ε_p) X, and gives them the
-/// motion of a rigid body. Here R is the element's rotation, δ the unit matrix, ε_p the plastic
-/// strain, and X a position in the mesh at rest. The element must share no node with another
-/// element, which would be deformed otherwise. Mass, center of mass, momentum and angular momentum
-/// stay the same; energy is lost. If the element spins so fast that it would gain energy, it is not
-/// changed.
+/// Moves the nodes of an element so that its stress is zero: a node at X in the mesh at rest moves
+/// to R (δ + ε_p) X, apart from a translation. Here R is the element's rotation, δ the unit matrix
+/// and ε_p the plastic strain. The velocities of the nodes become those of a rigid motion with the
+/// same momentum and angular momentum. The center of mass stays where it is, and energy is lost. If
+/// the element spins so fast that it would gain energy, it is not changed. The element must share
+/// no node with another element, which would be deformed otherwise.
 /// @return whether the element was changed
 bool relax_element(Deformable& solid, int element);
 

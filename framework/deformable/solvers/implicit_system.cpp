@@ -108,9 +108,9 @@ void ImplicitSystem::add_damping(const Vectors& x, Vectors& y) const
     }
 }
 
-// Factorizes A with the ties, P (A + d) P + s N, for the active nodes. N projects on the tied
-// directions of a node, and P = δ - N on the others, with the unit matrix δ. d is the damping of
-// the node's tie, and s the trace of the node's diagonal block of A.
+// Factorizes P (A + d) P + s N, which is A with the ties applied, for the active nodes. N projects
+// on the tied directions of a node, and P = δ - N on the others, with the unit matrix δ. d is the
+// damping of the node's tie, and s the trace of the node's diagonal block of A.
 void ImplicitSystem::factorise()
 {
     for (const int i : *active_) {

@@ -15,8 +15,8 @@ namespace rigor {
 /// @param before  empty if the submission is new
 std::string change_text(const std::optional<Row>& before, const Row& after);
 
-/// The changes of a class, and how many there are. Submissions whose points stay, where only the
-/// maximum of a task changes, are counted and not listed. `before` and `after` have the same
+/// The changes of a class, and how many there are. A submission that keeps its points is only
+/// counted, also if the maximum of a task has changed. `before` and `after` have the same
 /// submissions in the same order.
 std::string changes_text(const std::vector<std::optional<Row>>& before,
                          const std::vector<Row>& after);

@@ -16,7 +16,7 @@ namespace {
 // micrometers. If each contact had to close its own gap in this step, no motion would satisfy
 // all of them. The sweeps would move the load from corner to corner without end, and the pile would
 // creep and never fall asleep.
-constexpr double closed_gap = 2 * resting_overlap;
+constexpr double closed_gap = 2 * penetration_slop;
 
 // The least v·n that the contact must have after the contact stage, without the part by
 // `gap_correction` [m/s]. Across a gap, the bodies may approach until they touch at the end of the

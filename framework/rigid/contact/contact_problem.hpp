@@ -102,8 +102,8 @@ struct Island {
     std::vector<IndexRange> blocks; // ranges of `pairs`
     std::vector<IndexRange> colors; // ranges of `blocks`; blocks of a color share no moving body
     MovingFrame frame;              // set by `enter_moving_frames` (driven_bodies.hpp)
-    // If the only impulse in the island is a hit after which the bodies stay together: the time of
-    // the impact since the start of the step [s]. Otherwise 0. Set by `bounce_at_impacts`
+    // The time of impact since the start of the step [s], if the only impulse in the island is that
+    // by which two bodies hit and stay together; otherwise 0. Set by `bounce_at_impacts`
     // (step/impact.hpp).
     double lands_at = 0;
     // The bounces that `bounce_at_impacts` moved to their times of impact, and the first of these

@@ -111,11 +111,11 @@ void enter_frame(ContactProblem& problem, const Island& island)
 }
 
 // Gives bodies and contacts their velocities in the world again.
-// @param first  the bodies before the forces
-void leave_frame(ContactProblem& problem, std::vector<Body>& first, Island& island)
+// @param before_forces  the bodies before the forces
+void leave_frame(ContactProblem& problem, std::vector<Body>& before_forces, Island& island)
 {
     for (const int i : island.bodies) {
-        first[i].velocity -= island.frame.mean_minus_first;
+        before_forces[i].velocity -= island.frame.mean_minus_first;
         problem.bodies[i].velocity += island.frame.last_minus_mean;
     }
     add_fictitious_force(problem, island, -1);
@@ -129,8 +129,8 @@ struct Touching {
     Vector3d normal = Vector3d::Zero();   // unit, away from the static or driven body; or zero
 };
 
-Touching touching(const ContactProblem& problem, std::span<const Body> first, const Island& island,
-                  int ground)
+Touching touching(const ContactProblem& problem, std::span<const Body> before_forces,
+                  const Island& island, int ground)
 {
     Touching mean;
     int count = 0;
@@ -139,9 +139,9 @@ Touching touching(const ContactProblem& problem, std::span<const Body> first, co
             const ContactConstraint& c = problem.contacts[i];
             if (c.body1 != ground && c.body2 != ground) continue;
             const bool is_first = c.body1 == ground;
-            const double v_n = problem.velocity_between(first, c, c.point).dot(c.normal);
+            const double v_n = problem.velocity_between(before_forces, c, c.point).dot(c.normal);
             const Vector3d n = is_first ? Vector3d(-c.normal) : c.normal;
-            mean.velocity += first[is_first ? c.body2 : c.body1].velocity - v_n * n;
+            mean.velocity += before_forces[is_first ? c.body2 : c.body1].velocity - v_n * n;
             mean.normal += n;
             ++count;
         }
@@ -208,17 +208,17 @@ bool is_steady_in_frame(const ContactProblem& problem, const Island& island, int
            (own.last_minus_mean - frame.last_minus_mean).norm() <= most;
 }
 
-void leave_unheld_frames(ContactProblem& problem, std::vector<Body>& first)
+void leave_unheld_frames(ContactProblem& problem, std::vector<Body>& before_forces)
 {
     for (Island& island : problem.islands)
         if (!island.frame.is_world() && !is_held(problem, island))
-            leave_frame(problem, first, island);
+            leave_frame(problem, before_forces, island);
 }
 
-void leave_moving_frames(ContactProblem& problem, std::vector<Body>& first)
+void leave_moving_frames(ContactProblem& problem, std::vector<Body>& before_forces)
 {
     for (Island& island : problem.islands)
-        if (!island.frame.is_world()) leave_frame(problem, first, island);
+        if (!island.frame.is_world()) leave_frame(problem, before_forces, island);
 }
 
 void set_velocities_at_start(ContactProblem& problem, const Island& island)
@@ -231,10 +231,10 @@ void set_velocities_at_start(ContactProblem& problem, const Island& island)
 }
 
 void set_velocities_at_end(ContactProblem& problem, const Island& island,
-                           std::span<const Body> first)
+                           std::span<const Body> before_forces)
 {
     for (const DrivenBody& ground : moving_grounds(problem, island)) {
-        const auto [V, n] = touching(problem, first, island, ground.body);
+        const auto [V, n] = touching(problem, before_forces, island, ground.body);
         if (n.isZero(0)) continue;
         const Vector3d V_d = ground.last.linear - island.frame.last_minus_mean;
         const Vector3d carried = problem.time_step * ground.mean.angular.cross(V - V_d);

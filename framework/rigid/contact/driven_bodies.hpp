@@ -35,12 +35,12 @@ bool is_steady_in_frame(const ContactProblem& problem, const Island& island, int
 
 /// Returns an island to the world if no driven body gave it an impulse. In a moving frame, the
 /// solver would move bodies in free flight along curves.
-/// @param first  the bodies before the forces
-void leave_unheld_frames(ContactProblem& problem, std::vector<Body>& first);
+/// @param before_forces  the bodies before the forces
+void leave_unheld_frames(ContactProblem& problem, std::vector<Body>& before_forces);
 
 /// Returns all islands to the world.
-/// @param first  the bodies before the forces
-void leave_moving_frames(ContactProblem& problem, std::vector<Body>& first);
+/// @param before_forces  the bodies before the forces
+void leave_moving_frames(ContactProblem& problem, std::vector<Body>& before_forces);
 
 /// Sets the velocities of the static and driven bodies that an island touches, for the collision
 /// stage of an island in a moving frame. Along the mean normal of its contacts, such a body keeps
@@ -54,10 +54,11 @@ void set_velocities_at_start(ContactProblem& problem, const Island& island);
 /// reason: in the step, the contact points move over its surface by h (V - V_d), so the velocity of
 /// the surface at these points changes by h ω × (V - V_d). With the velocity at the start of the
 /// step, a body on a turntable would move along tangents and drift outwards.
-/// @param first  the bodies before the forces. The velocities after the forces would be wrong here,
-///               because contacts have not yet stopped the fall of a body at rest.
+/// @param before_forces  the bodies before the forces. The velocities after the forces would be
+///                       wrong here, because contacts have not yet stopped the fall of a body at
+///                       rest.
 void set_velocities_at_end(ContactProblem& problem, const Island& island,
-                           std::span<const Body> first);
+                           std::span<const Body> before_forces);
 
 /// Gives the static and driven bodies that an island touches their mean velocities again.
 void reset_velocities(ContactProblem& problem, const Island& island);

@@ -27,7 +27,7 @@ constexpr double corrected_fraction = 0.2;
 constexpr double correction_rate = 1;
 // The slop, which is the overlap that the correction leaves, divided by the contact's radius. In a
 // stack it is only as large as numerical errors; a pile would not come to rest without `pile_slop`.
-constexpr double stack_slop = 1e-6, pile_slop = resting_overlap;
+constexpr double stack_slop = 1e-6, pile_slop = penetration_slop;
 // The slop in worlds without gravity, also as a fraction of the radius. It is larger than the other
 // two because corrections add energy in such worlds.
 constexpr double weightless_slop = 1e-3;

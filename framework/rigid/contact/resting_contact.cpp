@@ -87,9 +87,10 @@ void resolve(ContactProblem& problem, const Island& island)
 
 } // namespace
 
-void process_contact(ContactProblem& problem, const Island& island, std::span<const Body> first)
+void process_contact(ContactProblem& problem, const Island& island,
+                     std::span<const Body> before_forces)
 {
-    set_velocities_at_end(problem, island, first);
+    set_velocities_at_end(problem, island, before_forces);
     resolve(problem, island);
     reset_velocities(problem, island);
 }

@@ -19,7 +19,8 @@ namespace rigor {
 /// island is corrected in this step only if its contacts take away at least as much energy, or if
 /// its bodies hardly move relative to each other. Otherwise the correction waits for a later step.
 ///
-/// @param first  the bodies after the collision stage, before the forces
-void process_contact(ContactProblem& problem, const Island& island, std::span<const Body> first);
+/// @param before_forces  the bodies after the collision stage, before the forces
+void process_contact(ContactProblem& problem, const Island& island,
+                     std::span<const Body> before_forces);
 
 } // namespace rigor

@@ -11,7 +11,7 @@ namespace rigor {
 /// to the end of the step, shapes that overlap by less than this fraction of a length count as
 /// separated. This length is the radius for a sphere and a box, the smallest half edge for two
 /// boxes, and otherwise half the diagonal of the smaller shape's bounds.
-inline constexpr double resting_overlap = 1e-4;
+inline constexpr double penetration_slop = 1e-4;
 
 /// A contact: a pair of close points of two shapes, or of two bodies of a world. Its point lies in
 /// the middle of the gap, except in these cases:

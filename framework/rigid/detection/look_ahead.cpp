@@ -34,7 +34,7 @@ double slop_between(const Shape& shape1, const Shape& shape2)
         const Bounds bounds = bounds_of(shape, {});
         return (bounds.high - bounds.low).norm();
     };
-    return resting_overlap * std::min(size(shape1), size(shape2)) / 2;
+    return penetration_slop * std::min(size(shape1), size(shape2)) / 2;
 }
 
 // Appends the contacts with the part of a concave shape that another shape reaches in this step, as

@@ -84,7 +84,7 @@ struct NormalAhead {
 void improve_by_looking_ahead(const Vector3d& half, const Vector3d& c, const Vector3d& d,
                               double radius, NormalAhead& best)
 {
-    const double slop = resting_overlap * radius;
+    const double slop = penetration_slop * radius;
     const auto consider = [&](const Vector3d& n) {
         const double now = n.dot(c) - n.cwiseAbs().dot(half) - radius, then = now + n.dot(d);
         if (now > -slop && then > best.then) best = {n, now, then};

@@ -110,9 +110,9 @@ int substeps_for_forces(const World& world, double h)
         std::ostringstream text;
         text << "body '" << world.bodies[body].name
              << "': a spring or damper is too stiff, or a force or the drag too fast, for the "
-                "step: expected sqrt(k K) h, c K h and 2 pi f h, where K is 1/M + r^2/I of both "
-                "ends and k K and c K are summed over the springs of the body, up to "
-             << most_substeps * most_change << ", found " << std::setprecision(4) << rate * h;
+                "step: expected their rate times the step up to "
+             << most_substeps * most_change << ", found " << std::setprecision(4) << rate * h
+             << "; a shorter step, a softer spring or a heavier body helps";
         throw std::domain_error(text.str());
     }
     return needed > 1 ? static_cast<int>(needed) : 1;

@@ -59,7 +59,7 @@ bool holds_along_fixed_normals(const ContactProblem& problem, const Island& isla
 } // namespace
 
 std::vector<char> solve_again_at_midpoint(const World& world,
-                                          const std::vector<Body>& after_collisions,
+                                          const std::vector<Body>& before_forces,
                                           const std::vector<RigidState>& flown,
                                           std::vector<Pose> poses, ContactProblem& problem)
 {
@@ -69,12 +69,12 @@ std::vector<char> solve_again_at_midpoint(const World& world,
     if (!computes_forces_in_stages(world.settings.integrator_under_forces())) return by_mean;
     for (std::size_t k = 0; k < by_mean.size(); ++k) {
         const Island& island = problem.islands[k];
-        switch (solve_at_midpoint(world, after_collisions, flown, island, poses, problem)) {
+        switch (solve_at_midpoint(world, before_forces, flown, island, poses, problem)) {
         case MidpointResult::solved:
             by_mean[k] = true;
             break;
         case MidpointResult::unchanged:
-            by_mean[k] = holds_along_fixed_normals(problem, island, after_collisions);
+            by_mean[k] = holds_along_fixed_normals(problem, island, before_forces);
             break;
         case MidpointResult::refused:
             break;

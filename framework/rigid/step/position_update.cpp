@@ -45,7 +45,7 @@ void displace(RigidState& state, const Displacement& by)
 } // namespace
 
 void update_positions(World& world, const ContactProblem& problem, const std::vector<bool>& pulled,
-                      const std::vector<Body>& after_collisions, const std::vector<char>& by_mean,
+                      const std::vector<Body>& before_forces, const std::vector<char>& by_mean,
                       const std::vector<Displacement>& displacements,
                       const std::vector<bool>& flown_again, std::vector<RigidState>& states)
 {
@@ -62,7 +62,7 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
             return;
         }
         const bool flies = !has_contact_impulse && !pulled[i];
-        const Body& body = flies ? after_collisions[i] : problem.bodies[i];
+        const Body& body = flies ? before_forces[i] : problem.bodies[i];
         RigidState state = world.bodies[i].state;
         state.velocity = body.velocity;
         if (flies) state.velocity -= frame.mean_minus_first;
@@ -70,7 +70,7 @@ void update_positions(World& world, const ContactProblem& problem, const std::ve
         require_finite(world.bodies[i], state, world.time + problem.time_step);
         const bool is_mean = by_mean_velocity && !flies;
         if (is_mean) {
-            const Body& first = after_collisions[i];
+            const Body& first = before_forces[i];
             state.velocity = (first.velocity + body.velocity) / 2;
             state.angular_momentum = (first.angular_momentum + body.angular_momentum) / 2;
         }

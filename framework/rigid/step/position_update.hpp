@@ -19,7 +19,7 @@ namespace rigor {
 ///
 /// @param world             only its counters change
 /// @param pulled            for each body, whether springs, applied forces or drag act on it
-/// @param after_collisions  the bodies after the collision stage, before the forces
+/// @param before_forces  the bodies after the collision stage, before the forces
 /// @param by_mean           for each island, whether its bodies move with their mean velocities
 /// @param displacements     the position corrections, one for each body, or an empty list
 /// @param flown_again       for each body, whether `states` has its flight after the collisions
@@ -28,7 +28,7 @@ namespace rigor {
 /// @param states            the states after the flight that the contact stage has used; changed
 ///                          for bodies that got an impulse or a displacement
 void update_positions(World& world, const ContactProblem& problem, const std::vector<bool>& pulled,
-                      const std::vector<Body>& after_collisions, const std::vector<char>& by_mean,
+                      const std::vector<Body>& before_forces, const std::vector<char>& by_mean,
                       const std::vector<Displacement>& displacements,
                       const std::vector<bool>& flown_again, std::vector<RigidState>& states);
 

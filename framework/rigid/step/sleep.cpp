@@ -57,10 +57,10 @@ void add_rest_times(World& world, const Island& island, const std::vector<double
 
 // Whether all bodies of the island have been at rest for long enough, and no spring or applied
 // force pulls on one of them.
-bool has_rested(const World& world, const Island& island, const std::vector<bool>& forced)
+bool has_rested(const World& world, const Island& island, const std::vector<bool>& has_force)
 {
     return std::all_of(island.bodies.begin(), island.bodies.end(), [&](int i) {
-        return world.bodies[i].rest.duration >= needed_rest && !forced[i];
+        return world.bodies[i].rest.duration >= needed_rest && !has_force[i];
     });
 }
 
@@ -91,14 +91,14 @@ void copy_if(const std::vector<T>& from, const Condition& condition, std::vector
 } // namespace
 
 void fall_asleep(World& world, const ContactProblem& problem, const std::vector<double>& radii,
-                 const std::vector<bool>& forced, StepResult& result)
+                 const std::vector<bool>& has_force, StepResult& result)
 {
     if (!world.settings.optimisations.sleep || world.settings.gravity.isZero(0)) return;
     if (problem.time_step == 0) return;
     std::vector<bool> fell; // for each body, whether it falls asleep now; empty if none does
     for (const Island& island : problem.islands) {
         add_rest_times(world, island, radii, result.states, problem.time_step);
-        if (!has_rested(world, island, forced) || is_driven(world, problem, island)) continue;
+        if (!has_rested(world, island, has_force) || is_driven(world, problem, island)) continue;
         fell.resize(world.bodies.size());
         const int group = *std::min_element(island.bodies.begin(), island.bodies.end());
         for (int i : island.bodies) {
@@ -140,10 +140,10 @@ void wake(World& world, const std::vector<int>& bodies)
         if (body.rest.is_asleep() && wakes[body.rest.group]) body.rest = {};
 }
 
-void wake_pulled(World& world, const std::vector<bool>& forced)
+void wake_pulled(World& world, const std::vector<bool>& has_force)
 {
-    for (std::size_t i = 0; i < forced.size(); ++i)
-        if (forced[i] && world.bodies[i].rest.is_asleep()) wake(world, {static_cast<int>(i)});
+    for (std::size_t i = 0; i < has_force.size(); ++i)
+        if (has_force[i] && world.bodies[i].rest.is_asleep()) wake(world, {static_cast<int>(i)});
 }
 
 } // namespace rigor

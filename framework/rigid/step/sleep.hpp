@@ -16,12 +16,12 @@ namespace rigor {
 /// awake.
 ///
 /// @param radii    radius of each body [m]
-/// @param forced   for each body, whether springs or applied forces pull on it; such a body stays
+/// @param has_force  for each body, whether springs or applied forces pull on it; such a body stays
 ///                 awake, and its island with it
 /// @param result   the result of the step: the bodies that fall asleep lose their velocities, and
 ///                 the memory of the world keeps their contacts
 void fall_asleep(World& world, const ContactProblem& problem, const std::vector<double>& radii,
-                 const std::vector<bool>& forced, StepResult& result);
+                 const std::vector<bool>& has_force, StepResult& result);
 
 /// Wakes these bodies, which have to be asleep, and all bodies that fell asleep together with them.
 /// In the next contact stage, their contacts start from the impulses that they had in the step in
@@ -29,6 +29,6 @@ void fall_asleep(World& world, const ContactProblem& problem, const std::vector<
 void wake(World& world, const std::vector<int>& bodies);
 
 /// Wakes the sleeping bodies on which springs or applied forces pull.
-void wake_pulled(World& world, const std::vector<bool>& forced);
+void wake_pulled(World& world, const std::vector<bool>& has_force);
 
 } // namespace rigor

@@ -93,14 +93,14 @@ struct Flight {
 // Free flight, and the search for contacts that may close in this step. A sleeping body that
 // another body may touch wakes up and then moves too. So flight and search are repeated until no
 // further body wakes.
-// @param forced  for each body, whether springs or applied forces pull on it
-Flight fly_and_find_contacts(World& world, const std::vector<bool>& forced, double time_step,
+// @param has_force  for each body, whether springs or applied forces pull on it
+Flight fly_and_find_contacts(World& world, const std::vector<bool>& has_force, double time_step,
                              ThreadPool& pool)
 {
     const Counters before = world.counters;
     for (;;) {
         Flight flight;
-        flight.pulled = with_dragged_bodies(forced, world);
+        flight.pulled = with_dragged_bodies(has_force, world);
         flight.flown = free_flight(world, flight.pulled, time_step, pool);
         if (world.bodies.size() < 2) return flight;
         flight.candidates = contact_candidates(world, flight.flown, time_step, pool);
@@ -116,23 +116,23 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, const Di
     // step runs on one thread.
     ThreadPool alone;
     ThreadPool& pool = world.settings.formulas_are_reference ? world.pool : alone;
-    const std::vector<bool> forced = pulled_bodies(world, time_step);
+    const std::vector<bool> has_force = pulled_bodies(world, time_step);
     const Counters before = world.counters;
-    wake_pulled(world, forced);
+    wake_pulled(world, has_force);
 
-    auto [pulled, flown, candidates] = fly_and_find_contacts(world, forced, time_step, pool);
+    auto [pulled, flown, candidates] = fly_and_find_contacts(world, has_force, time_step, pool);
     if (candidates.contacts.empty())
         return finish_step(world, time_step, {std::move(flown), {}, {}});
 
     ContactProblem problem = make_problem(world, flown, candidates, time_step, pool);
     enter_moving_frames(problem);
     process_collisions(problem);
-    std::vector<Body> after_collisions = problem.bodies;
+    std::vector<Body> before_forces = problem.bodies;
     BouncedFlight bounced(world, problem, pulled);
     const std::vector<RigidState>& forced_flight = bounced.is_empty() ? flown : bounced.flown();
     for (const Island& island : problem.islands) {
-        apply_forces(world, island, after_collisions, forced_flight, problem);
-        process_contact(problem, island, after_collisions);
+        apply_forces(world, island, before_forces, forced_flight, problem);
+        process_contact(problem, island, before_forces);
     }
     if (may_be_halved(world, divisions) && is_too_long_for_friction(world, problem, pulled)) {
         bounced.restore();
@@ -140,23 +140,22 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, const Di
         return step_in_halves(world, time_step, divisions);
     }
     const std::optional<SupportedFlight> supported =
-        fly_supported(world, problem, after_collisions, pulled, forced_flight);
-    const std::vector<char> by_mean = solve_again_at_midpoint(
-        world, after_collisions, supported ? supported->forced : forced_flight, candidates.poses,
-        problem);
+        fly_supported(world, problem, before_forces, pulled, forced_flight);
+    const std::vector<char> by_mean =
+        solve_again_at_midpoint(world, before_forces, supported ? supported->forced : forced_flight,
+                                candidates.poses, problem);
     std::vector<Displacement> displacements = position_corrections(problem);
     if (supported) displacements = sum(std::move(displacements), supported->bends);
-    leave_unheld_frames(problem, after_collisions);
+    leave_unheld_frames(problem, before_forces);
 
     StepResult result{supported ? supported->flown : forced_flight, {}, {}};
-    update_positions(world, problem, pulled, after_collisions, by_mean, displacements,
+    update_positions(world, problem, pulled, before_forces, by_mean, displacements,
                      bounced.bodies(), result.states);
     bounced.restore();
-    leave_moving_frames(problem, after_collisions);
+    leave_moving_frames(problem, before_forces);
     bounce_at_impacts(world, problem, pulled, displacements, result.states);
-    const Refinement refined =
-        refine_by_substeps(world, problem, after_collisions, pulled, candidates, result.states,
-                           divisions, step_divided);
+    const Refinement refined = refine_by_substeps(world, problem, before_forces, pulled, candidates,
+                                                  result.states, divisions, step_divided);
     if (may_be_halved(world, divisions) &&
         has_missed_contact(world, problem, candidates, flown, result.states)) {
         const double time = after_first_bounce(world, problem, divisions);
@@ -165,7 +164,7 @@ std::vector<ContactRecord> step_divided(World& world, double time_step, const Di
                         : step_in_halves(world, time_step, divisions);
     }
     collect_contacts(world, problem, candidates, refined, result);
-    fall_asleep(world, problem, candidates.radii, forced, result);
+    fall_asleep(world, problem, candidates.radii, has_force, result);
     return finish_step(world, time_step, std::move(result));
 }
 

@@ -20,8 +20,9 @@
 //   wake up             candidates                sleeping bodies,     step/sleep, `wake`; if any
 //                                                 memory               wakes, 1 and 2 run again
 //   no candidates: the states after free flight are final, and the step ends here
-//   make the problem    candidates                contacts in islands, contact/make_problem
+//   make the problem    candidates                contacts,            contact/make_problem
 //                                                 impulse matrices
+//   islands             contacts                  contacts in islands  contact/islands
 //   warm start          memory                    initial impulses     contact/warm_start
 //   blocks              large islands             blocks, colors       contact/blocks
 //   moving frames       drives                    velocities, frames   contact/driven_bodies
@@ -37,7 +38,7 @@
 //   choose contacts     gaps, impulse matrices    target speeds        contact/active_contacts
 //   load estimate       weights (no warm start)   initial impulses     contact/load_estimate
 //   solve               initial impulses          velocities, impulses contact/solvers/
-//   friction limit      forces, impulses          none                 step/supported_flight; if
+//   friction step check forces, impulses          none                 step/supported_flight; if
 //                                                                      forces are too fast for
 //                                                                      friction, the whole step
 //                                                                      runs again in two halves
@@ -84,7 +85,8 @@
 // and contact/load_estimate.
 //
 // In a world with deformable solids, deformable/step/step.cpp moves the solids first and then calls
-// this step. Their nodes have friction and position correction of their own: `collide_nodes` and
+// this step. Their nodes have friction and position correction of their own: `collide_nodes`,
+// `push_by_held_nodes` (whose friction limits the impulse of nodes that handles hold) and
 // `correct_node_positions` in deformable/contact/node_collisions, and the law of friction of the
 // implicit step in deformable/motion/contact_set.
 //

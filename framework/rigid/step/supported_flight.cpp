@@ -193,7 +193,7 @@ bool is_too_long_for_friction(const World& world, ContactProblem& problem,
 }
 
 std::optional<SupportedFlight> fly_supported(World& world, ContactProblem& problem,
-                                             const std::vector<Body>& first,
+                                             const std::vector<Body>& before_forces,
                                              const std::vector<bool>& pulled,
                                              const std::vector<RigidState>& flown)
 {
@@ -221,12 +221,12 @@ std::optional<SupportedFlight> fly_supported(World& world, ContactProblem& probl
                 flight.forced[i].velocity -= h * problem.bodies[i].inverse_mass * supports[i].force;
                 flight.forced[i].angular_momentum -= h * supports[i].torque;
             }
-            apply_forces(world, *island, first, flight.forced, problem);
+            apply_forces(world, *island, before_forces, flight.forced, problem);
         }
         for_each_contact(problem, islands,
                          [](ContactConstraint& c) { c.contact_impulse.setZero(); });
         for (const Island* island : islands)
-            process_contact(problem, *island, first);
+            process_contact(problem, *island, before_forces);
 
         const Eigen::VectorXd found = loads.of(problem, islands), residual = found - taken;
         if (residual.norm() <= converged * found.norm()) break;

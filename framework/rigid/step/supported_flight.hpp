@@ -17,8 +17,8 @@ struct SupportedFlight {
     // The same, without the changes of velocity and angular momentum by these constant forces. So
     // only the other forces change them, but along the path of the supported body.
     std::vector<RigidState> forced;
-    // What the displacement of each body has beyond that by the mean of its velocities at the start
-    // and the end of the step, because the forces change within the step.
+    // For each body, its displacement in the step minus the displacement by the mean of its
+    // velocities at the start and at the end. It is not 0, since the forces change within the step.
     std::vector<Displacement> bends;
 };
 
@@ -42,13 +42,13 @@ bool is_too_long_for_friction(const World& world, ContactProblem& problem,
 /// collision stage. Integrators whose step has a single stage (symplectic Euler) need none of this.
 ///
 /// @param problem  the velocities and impulses of these islands are replaced
-/// @param first    the bodies before the forces
+/// @param before_forces  the bodies before the forces
 /// @param pulled   for each body, whether springs, applied forces or drag act on it
 /// @param flown    the states after free flight, or after the flight that follows a bounce
 ///                 (bounced_flight.hpp)
 /// @return nothing if there is no such island
 std::optional<SupportedFlight> fly_supported(World& world, ContactProblem& problem,
-                                             const std::vector<Body>& first,
+                                             const std::vector<Body>& before_forces,
                                              const std::vector<bool>& pulled,
                                              const std::vector<RigidState>& flown);
 

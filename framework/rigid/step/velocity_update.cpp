@@ -5,11 +5,11 @@
 
 namespace rigor {
 
-void apply_forces(const World& world, const Island& island, const std::vector<Body>& first,
+void apply_forces(const World& world, const Island& island, const std::vector<Body>& before_forces,
                   const std::vector<RigidState>& flown, ContactProblem& problem)
 {
     for (int i : island.bodies) {
-        problem.bodies[i] = with_forces(first[i], world.bodies[i].state, flown[i]);
+        problem.bodies[i] = with_forces(before_forces[i], world.bodies[i].state, flown[i]);
         problem.bodies[i].velocity -= island.frame.change();
     }
 }

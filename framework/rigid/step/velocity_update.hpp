@@ -9,9 +9,9 @@ namespace rigor {
 
 /// Gives the bodies of an island their velocities after the forces. In a moving frame
 /// (contact/driven_bodies.hpp), the fictitious force is added.
-/// @param first  the bodies before the forces
+/// @param before_forces  the bodies before the forces
 /// @param flown  the states after the forces alone
-void apply_forces(const World& world, const Island& island, const std::vector<Body>& first,
+void apply_forces(const World& world, const Island& island, const std::vector<Body>& before_forces,
                   const std::vector<RigidState>& flown, ContactProblem& problem);
 
 } // namespace rigor

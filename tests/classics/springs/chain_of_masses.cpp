@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The modes of N equal masses on N + 1 equal springs between walls (Lagrange 1788, "Mécanique
-// analytique"): ωₙ = 2 √(k/M) sin(n π/(2 (N + 1))), with the shape sin(n π i/(N + 1)). With
-// springs of no rest length it holds along the chain and across it, for any amplitude.
+// analytique"): ωₙ = 2 √(k/M) sin(n π/(2 (N + 1))), with the shape sin(n π i/(N + 1)). If the
+// rest length of the springs is 0, this formula holds for vibrations along the chain and across it,
+// with any amplitude.
 #include "classics/problems.hpp"
 
 using namespace rigor;

@@ -307,7 +307,7 @@ void find_box_contacts(const Box& box1, const Pose& pose1, const Box& box2, cons
     if (face2.separation >= reach) return;
 
     const double smallest = std::min(a.half.minCoeff(), b.half.minCoeff());
-    const double clearly = clear_difference * smallest, slop = resting_overlap * smallest;
+    const double clearly = clear_difference * smallest, slop = penetration_slop * smallest;
     const double least = std::max(face1.separation, face2.separation) + clearly;
     const Axis edges = best_edges(a, b, relation, least);
     bool is_edges = edges.separation > least;

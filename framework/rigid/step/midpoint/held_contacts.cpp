@@ -68,13 +68,13 @@ Vector3d carried(const HeldContact& contact, const ContactConstraint& c, const B
 // @param shift  by how much the contacts move beyond their bodies [m]
 // @param reach  the largest distance of a contact from where it is expected [m]
 // @return whether each contact with an impulse was found again
-bool match(const ContactProblem& problem, const std::vector<Body>& first,
+bool match(const ContactProblem& problem, const std::vector<Body>& before_forces,
            std::span<HeldContact> contacts, std::vector<Contact> found, const Vector3d& shift,
            double reach)
 {
     for (HeldContact& contact : contacts) {
         const ContactConstraint& c = problem.contacts[contact.index];
-        const Body &body1 = first[c.body1], &body2 = first[c.body2];
+        const Body &body1 = before_forces[c.body1], &body2 = before_forces[c.body2];
         const Vector3d moved = carried(contact, c, body1, problem.time_step / 2) + shift;
         const bool is_found = take_nearest(moved, c.normal, reach, found, contact.middle);
         if (!is_found && contact.has_impulse) return false;
@@ -101,7 +101,7 @@ Pose halfway(const Pose& a, const Pose& b)
 struct PairSearch {
     const World& world;
     const ContactProblem& problem;
-    const std::vector<Body>& first;
+    const std::vector<Body>& before_forces;
     std::span<const HeldContact> held;
     double reach; // the largest gap that counts [m]
 
@@ -121,8 +121,8 @@ struct PairSearch {
     {
         Vector3d sum = Vector3d::Zero();
         for (std::size_t k = 0; k < held.size(); ++k)
-            sum += contacts[k].point -
-                   carried(held[k], problem.contacts[held[k].index], first[lowest().body1], time);
+            sum += contacts[k].point - carried(held[k], problem.contacts[held[k].index],
+                                               before_forces[lowest().body1], time);
         return sum / static_cast<double>(held.size());
     }
 };
@@ -155,18 +155,20 @@ std::optional<Vector3d> even_shift(const PairSearch& search, const std::vector<C
 // Finds the held contacts of one pair of bodies again in the middle of the step: near where their
 // bodies carry them, or where they have moved evenly.
 // @return whether each contact with an impulse was found again
-bool find_middle(const World& world, const ContactProblem& problem, const std::vector<Body>& first,
-                 const std::vector<Pose>& poses, std::span<HeldContact> contacts)
+bool find_middle(const World& world, const ContactProblem& problem,
+                 const std::vector<Body>& before_forces, const std::vector<Pose>& poses,
+                 std::span<HeldContact> contacts)
 {
     const ContactConstraint& lowest = problem.contacts[contacts.front().index];
     const double h = problem.time_step;
-    const double path = h * speed_at(lowest, first[lowest.body1], first[lowest.body2]) +
-                        nearly_touching_gap * lowest.radius;
-    const PairSearch search{world, problem, first, contacts, std::abs(lowest.gap) + path};
+    const double path =
+        h * speed_at(lowest, before_forces[lowest.body1], before_forces[lowest.body2]) +
+        nearly_touching_gap * lowest.radius;
+    const PairSearch search{world, problem, before_forces, contacts, std::abs(lowest.gap) + path};
     const std::vector<Contact> found = search.found(poses, h / 2);
-    if (match(problem, first, contacts, found, Vector3d::Zero(), path)) return true;
+    if (match(problem, before_forces, contacts, found, Vector3d::Zero(), path)) return true;
     const std::optional<Vector3d> shift = even_shift(search, found, poses);
-    return shift && match(problem, first, contacts, found, *shift, path);
+    return shift && match(problem, before_forces, contacts, found, *shift, path);
 }
 
 // Sets `is_left_out` of contacts that the bodies leave behind in the first half of the step. Where
@@ -198,8 +200,9 @@ double speed_at(const Contact& c, const Body& body1, const Body& body2)
            body2.angular_velocity.norm() * (c.point - body2.position).norm();
 }
 
-bool find_middles(const World& world, const ContactProblem& problem, const std::vector<Body>& first,
-                  const std::vector<Pose>& poses, std::vector<HeldContact>& held)
+bool find_middles(const World& world, const ContactProblem& problem,
+                  const std::vector<Body>& before_forces, const std::vector<Pose>& poses,
+                  std::vector<HeldContact>& held)
 {
     const auto bodies_of = [&](const HeldContact& contact) {
         const ContactConstraint& c = problem.contacts[contact.index];
@@ -209,7 +212,7 @@ bool find_middles(const World& world, const ContactProblem& problem, const std::
         const std::pair<int, int> pair = bodies_of(*begin);
         end = std::find_if(begin, held.end(),
                            [&](const HeldContact& other) { return bodies_of(other) != pair; });
-        if (!find_middle(world, problem, first, poses, {begin, end})) return false;
+        if (!find_middle(world, problem, before_forces, poses, {begin, end})) return false;
     }
     mark_left_behind(problem, held);
     std::erase_if(held, [](const HeldContact& contact) { return contact.is_left_out; });

@@ -34,10 +34,11 @@ double speed_at(const Contact& contact, const Body& body1, const Body& body2);
 /// no more are removed: those without an impulse that are not closer then than at the start, and
 /// those that their bodies leave behind, as at the joint of two tiles that a ball crosses.
 ///
-/// @param first  the bodies after the collision stage, before the forces
+/// @param before_forces  the bodies after the collision stage, before the forces
 /// @param poses  poses of all bodies in the middle of the step
 /// @return whether each contact with an impulse was found again
-bool find_middles(const World& world, const ContactProblem& problem, const std::vector<Body>& first,
-                  const std::vector<Pose>& poses, std::vector<HeldContact>& held);
+bool find_middles(const World& world, const ContactProblem& problem,
+                  const std::vector<Body>& before_forces, const std::vector<Pose>& poses,
+                  std::vector<HeldContact>& held);
 
 } // namespace rigor

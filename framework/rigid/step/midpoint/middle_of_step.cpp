@@ -83,7 +83,7 @@ bool touches_a_turning_drive(const World& world, const ContactConstraint& c)
 // within the step. The list is empty if each of them moves by at most `least_change` times its
 // radius in this step, because then its path is practically straight.
 std::vector<HeldContact> held_contacts(const World& world, const ContactProblem& problem,
-                                       const Island& island, const std::vector<Body>& first)
+                                       const Island& island, const std::vector<Body>& before_forces)
 {
     const auto may_close = [&](const ContactConstraint& c) {
         return touches_a_turning_drive(world, c) &&
@@ -96,11 +96,11 @@ std::vector<HeldContact> held_contacts(const World& world, const ContactProblem&
             const ContactConstraint& c = problem.contacts[i];
             const bool has_impulse = problem.holds(c);
             if (!has_impulse && !may_close(c)) continue;
-            const double speed = speed_at(c, first[c.body1], first[c.body2]);
+            const double speed = speed_at(c, before_forces[c.body1], before_forces[c.body2]);
             any_moves |= problem.time_step * speed > least_change * c.radius;
             HeldContact& contact = held.emplace_back();
             contact.index = i;
-            contact.v_start = velocity_at(c, first[c.body1], first[c.body2]);
+            contact.v_start = velocity_at(c, before_forces[c.body1], before_forces[c.body2]);
             contact.negligible = least_change * speed + problem.rounding_speed(c);
             contact.has_impulse = has_impulse;
             contact.slides = slides(c);
@@ -114,7 +114,8 @@ std::vector<HeldContact> held_contacts(const World& world, const ContactProblem&
 // @return these bodies in these poses with their velocities at the start of the step, by their
 //         indices in the world
 std::map<int, Body> moved_to_the_middle(const World& world, const ContactProblem& problem,
-                                        const Island& island, const std::vector<Body>& first,
+                                        const Island& island,
+                                        const std::vector<Body>& before_forces,
                                         std::vector<Pose>& poses)
 {
     const double half = problem.time_step / 2;
@@ -124,11 +125,11 @@ std::map<int, Body> moved_to_the_middle(const World& world, const ContactProblem
         const RigidBody& rigid = world.bodies[i];
         const Body& last = problem.bodies[i];
         RigidState state = rigid.state;
-        state.velocity = (first[i].velocity + last.velocity) / 2;
-        state.angular_momentum = (first[i].angular_momentum + last.angular_momentum) / 2;
+        state.velocity = (before_forces[i].velocity + last.velocity) / 2;
+        state.angular_momentum = (before_forces[i].angular_momentum + last.angular_momentum) / 2;
         state = fly(world.settings, rigid, state, half, uncounted, Gravity::left_out);
         poses[i] = pose_of(state);
-        Body& body = moved[i] = first[i];
+        Body& body = moved[i] = before_forces[i];
         body.position = state.position;
         body.inverse_inertia = inverse_inertia(world.settings.integrator, rigid, state);
         body.angular_velocity = body.inverse_inertia * body.angular_momentum;
@@ -138,7 +139,7 @@ std::map<int, Body> moved_to_the_middle(const World& world, const ContactProblem
         for (const int i : {c.body1, c.body2}) {
             const auto& drive = world.bodies[i].drive;
             if (!drive || drive->is_belt || moved.contains(i)) continue;
-            Body& body = moved[i] = first[i];
+            Body& body = moved[i] = before_forces[i];
             body.position += half * problem.drive_of(i)->mean.linear;
             poses[i] = {pose_of(driven_state(*drive, world.time + half)).R, body.position};
         }
@@ -171,13 +172,13 @@ bool moves_along_a_body(const ContactConstraint& start, const Contact& middle, c
 // @param moved  the bodies in the middle of the step, see `MiddleOfStep`
 // @return v₁ - v₂ at the contact point of the start of the step, with the velocities after the
 //         contact stage [m/s]
-Vector3d set_velocities(const ContactProblem& problem, const std::vector<Body>& first,
+Vector3d set_velocities(const ContactProblem& problem, const std::vector<Body>& before_forces,
                         const std::map<int, Body>& moved, HeldContact& contact)
 {
     // Body i at mid-step: `starting` has its first velocities, `ending` its last ones.
     const auto starting = [&](int i) -> const Body& {
         const auto found = moved.find(i);
-        return found == moved.end() ? first[i] : found->second;
+        return found == moved.end() ? before_forces[i] : found->second;
     };
     const auto ending = [&](int i) {
         Body body = starting(i);
@@ -216,20 +217,22 @@ Vector3d velocity_at(const Contact& c, const Body& body1, const Body& body2)
 }
 
 std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProblem& problem,
-                                           const Island& island, const std::vector<Body>& first,
+                                           const Island& island,
+                                           const std::vector<Body>& before_forces,
                                            std::vector<Pose>& poses)
 {
     if (!is_suitable(world, problem, island)) return std::nullopt;
     MiddleOfStep middle;
-    std::vector<HeldContact>& held = middle.contacts = held_contacts(world, problem, island, first);
+    std::vector<HeldContact>& held = middle.contacts =
+        held_contacts(world, problem, island, before_forces);
     if (held.empty()) return std::nullopt;
-    middle.bodies = moved_to_the_middle(world, problem, island, first, poses);
-    if (!find_middles(world, problem, first, poses, held)) return std::nullopt;
+    middle.bodies = moved_to_the_middle(world, problem, island, before_forces, poses);
+    if (!find_middles(world, problem, before_forces, poses, held)) return std::nullopt;
 
     bool any_shift = false, any_turning_drive = false, all_slide = true, all_stay = true;
     for (HeldContact& contact : held) {
         const ContactConstraint& c = problem.contacts[contact.index];
-        const Vector3d v_last = set_velocities(problem, first, middle.bodies, contact);
+        const Vector3d v_last = set_velocities(problem, before_forces, middle.bodies, contact);
         middle.has_curve |= contact.change > contact.negligible;
         any_shift |= moves_along_a_body(c, contact.middle, world, poses, middle.bodies);
         any_turning_drive |= touches_a_turning_drive(world, c);

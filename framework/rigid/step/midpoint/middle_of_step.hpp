@@ -8,10 +8,10 @@
 
 namespace rigor {
 
-/// The contacts of an island that count in the middle of the step, grouped by pairs of bodies, its
-/// bodies, and the driven bodies that they touch and that change their place, by their indices in
-/// the world. The bodies have their poses in the middle of the step, but their velocities and
-/// angular momenta at the start.
+/// An island in the middle of the step. Its contacts are those that count there; the contacts of a
+/// pair follow each other. Its bodies, by their indices in the world, are those of the island, and
+/// the driven bodies that they touch, if these change their place. They have their poses in the
+/// middle of the step, but their velocities and angular momenta at the start.
 struct MiddleOfStep {
     std::vector<HeldContact> contacts;
     std::map<int, Body> bodies;
@@ -36,14 +36,15 @@ struct MiddleOfStep {
 /// or if the island slides over driven bodies that turn and a contact moves along a body of the
 /// island, because the loads on the contacts change then.
 ///
-/// @param first    the bodies after the collision stage, before the forces
+/// @param before_forces  the bodies after the collision stage, before the forces
 /// @param problem  after the contact stage
 /// @param poses    poses of all bodies at the start of the step; those of the island's bodies and
 ///                 those of driven bodies that touch them may be changed
 /// @return nothing if the island is left out, if no contact moves in one of these ways, or if a
 ///         contact is not found again in the middle of the step
 std::optional<MiddleOfStep> middle_of_step(const World& world, const ContactProblem& problem,
-                                           const Island& island, const std::vector<Body>& first,
+                                           const Island& island,
+                                           const std::vector<Body>& before_forces,
                                            std::vector<Pose>& poses);
 
 /// The part of v along the surface: v - (v·n) n

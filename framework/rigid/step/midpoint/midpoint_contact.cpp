@@ -84,7 +84,7 @@ struct MidpointProblem {
     }
 };
 
-void add_contact(const ContactProblem& whole, const std::vector<Body>& first,
+void add_contact(const ContactProblem& whole, const std::vector<Body>& before_forces,
                  const MiddleOfStep& middle, const HeldContact& contact, const Vector3d& error,
                  MidpointProblem& mid)
 {
@@ -92,7 +92,7 @@ void add_contact(const ContactProblem& whole, const std::vector<Body>& first,
     const auto place = [&](int i, const Vector3d& error_of_ground) {
         if (const auto found = mid.places.find(i); found != mid.places.end()) return found->second;
         const auto moved = middle.bodies.find(i);
-        Body ground = moved == middle.bodies.end() ? first[i] : moved->second;
+        Body ground = moved == middle.bodies.end() ? before_forces[i] : moved->second;
         ground.velocity = 2 * ground.velocity + error_of_ground;
         ground.angular_velocity *= 2;
         problem.bodies.push_back(ground);
@@ -123,8 +123,9 @@ void add_contact(const ContactProblem& whole, const std::vector<Body>& first,
 
 // @param forced  the bodies with their velocities after the forces, in the order of `island.bodies`
 MidpointProblem midpoint_problem(const ContactProblem& whole, const Island& island,
-                                 const std::vector<Body>& first, const std::vector<Body>& forced,
-                                 const MiddleOfStep& middle, const std::vector<Vector3d>& errors)
+                                 const std::vector<Body>& before_forces,
+                                 const std::vector<Body>& forced, const MiddleOfStep& middle,
+                                 const std::vector<Vector3d>& errors)
 {
     MidpointProblem mid;
     ContactProblem& problem = mid.problem;
@@ -144,7 +145,7 @@ MidpointProblem midpoint_problem(const ContactProblem& whole, const Island& isla
         problem.bodies.push_back(sum);
     }
     for (std::size_t k = 0; k < errors.size(); ++k)
-        add_contact(whole, first, middle, middle.contacts[k], errors[k], mid);
+        add_contact(whole, before_forces, middle, middle.contacts[k], errors[k], mid);
     split_into_blocks(problem, all);
     return mid;
 }
@@ -152,14 +153,14 @@ MidpointProblem midpoint_problem(const ContactProblem& whole, const Island& isla
 // A point in the middle of the step, moved back to the start of the step with the bodies that move,
 // because the data of a contact belong to the poses at the start of the step.
 Vector3d at_start(const Vector3d& x, const Contact& c, const MiddleOfStep& middle,
-                  const std::vector<Body>& first)
+                  const std::vector<Body>& before_forces)
 {
     Vector3d moved = Vector3d::Zero();
     int count = 0;
     for (const int i : {c.body1, c.body2})
         if (const auto found = middle.bodies.find(i);
             found != middle.bodies.end() && !found->second.is_static()) {
-            moved += found->second.position - first[i].position;
+            moved += found->second.position - before_forces[i].position;
             ++count;
         }
     return x - moved / count;
@@ -169,10 +170,10 @@ Vector3d at_start(const Vector3d& x, const Contact& c, const MiddleOfStep& middl
 // from one box onto the next one still touches the edge of the first box when it reaches the
 // second.
 bool any_other_closes(const MidpointProblem& mid, const Island& island,
-                      const std::vector<Body>& first, const ContactProblem& problem)
+                      const std::vector<Body>& before_forces, const ContactProblem& problem)
 {
     const auto mean = [&](int i) {
-        Body body = first[i];
+        Body body = before_forces[i];
         const auto place = mid.places.find(i);
         if (place == mid.places.end()) return body;
         const Body& sum = mid.problem.bodies[place->second];
@@ -201,20 +202,20 @@ bool any_stops(const ContactProblem& mid)
 }
 
 void take_results(const MidpointProblem& mid, const MiddleOfStep& middle, const Island& island,
-                  const std::vector<Body>& first, ContactProblem& problem)
+                  const std::vector<Body>& before_forces, ContactProblem& problem)
 {
     for (const int i : island.bodies) {
         const Body& sum = mid.problem.bodies[mid.places.at(i)];
         Body& body = problem.bodies[i];
-        body.velocity = sum.velocity - first[i].velocity;
-        body.angular_momentum = sum.angular_momentum - first[i].angular_momentum;
+        body.velocity = sum.velocity - before_forces[i].velocity;
+        body.angular_momentum = sum.angular_momentum - before_forces[i].angular_momentum;
         body.angular_velocity = body.inverse_inertia * body.angular_momentum;
     }
     for (std::size_t k = 0; k < middle.contacts.size(); ++k) {
         const ContactConstraint& solved = mid.problem.contacts[k];
         ContactConstraint& c = problem.contacts[middle.contacts[k].index];
         c.contact_impulse = solved.contact_impulse;
-        c.point = at_start(solved.point, c, middle, first);
+        c.point = at_start(solved.point, c, middle, before_forces);
         c.normal = solved.normal;
         // With this value, `predicted_gap` returns gap + h times the mean of v·n.
         const double mean = mid.sum_at(k).dot(c.normal) / 2;
@@ -225,11 +226,12 @@ void take_results(const MidpointProblem& mid, const MiddleOfStep& middle, const 
 
 } // namespace
 
-MidpointResult solve_at_midpoint(const World& world, const std::vector<Body>& first,
+MidpointResult solve_at_midpoint(const World& world, const std::vector<Body>& before_forces,
                                  const std::vector<RigidState>& flown, const Island& island,
                                  std::vector<Pose>& poses, ContactProblem& problem)
 {
-    const std::optional<MiddleOfStep> middle = middle_of_step(world, problem, island, first, poses);
+    const std::optional<MiddleOfStep> middle =
+        middle_of_step(world, problem, island, before_forces, poses);
     if (!middle) return MidpointResult::unchanged;
     std::vector<Vector3d> errors;
     for (const HeldContact& contact : middle->contacts) {
@@ -239,18 +241,18 @@ MidpointResult solve_at_midpoint(const World& world, const std::vector<Body>& fi
     }
     std::vector<Body> forced;
     for (const int i : island.bodies) {
-        forced.push_back(with_forces(first[i], world.bodies[i].state, flown[i]));
+        forced.push_back(with_forces(before_forces[i], world.bodies[i].state, flown[i]));
         forced.back().velocity -= island.frame.change();
     }
 
-    MidpointProblem mid = midpoint_problem(problem, island, first, forced, *middle, errors);
+    MidpointProblem mid = midpoint_problem(problem, island, before_forces, forced, *middle, errors);
     std::vector<int> active(mid.problem.contacts.size());
     std::iota(active.begin(), active.end(), 0);
     solve_island(mid.problem, mid.problem.islands.front(), active);
-    if (any_other_closes(mid, island, first, problem) ||
+    if (any_other_closes(mid, island, before_forces, problem) ||
         (middle->slip_turns && !middle->has_curve && any_stops(mid.problem)))
         return MidpointResult::unchanged;
-    take_results(mid, *middle, island, first, problem);
+    take_results(mid, *middle, island, before_forces, problem);
     return MidpointResult::solved;
 }
 

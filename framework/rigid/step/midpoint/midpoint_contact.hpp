@@ -33,12 +33,12 @@ enum class MidpointResult {
 /// `ContactConstraint`). The bodies then have to move with the means of their velocities at the
 /// start and at the end of the step.
 ///
-/// @param first  the bodies after the collision stage, before the forces
+/// @param before_forces  the bodies after the collision stage, before the forces
 /// @param flown  the states after the flight that the contact stage has used
 /// @param poses  poses of all bodies at the start of the step; those of the island's bodies and
 ///               those of driven bodies that touch them may be changed
 /// @return what was done; unless it is `solved`, `problem` has not changed
-MidpointResult solve_at_midpoint(const World& world, const std::vector<Body>& first,
+MidpointResult solve_at_midpoint(const World& world, const std::vector<Body>& before_forces,
                                  const std::vector<RigidState>& flown, const Island& island,
                                  std::vector<Pose>& poses, ContactProblem& problem);
 

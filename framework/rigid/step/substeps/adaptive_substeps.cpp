@@ -270,7 +270,7 @@ void keep_warm_contacts(const IslandWorld& part, Refinement& refined)
 
 // Where the step of an island is divided, by the cases of the header.
 Division division_of(const World& world, const ContactProblem& problem, const Island& island,
-                     const std::vector<Body>& first, const std::vector<bool>& pulled,
+                     const std::vector<Body>& before_forces, const std::vector<bool>& pulled,
                      const Divisions& divisions, const std::vector<RigidState>& states,
                      OverlapCheck& overlaps_anew)
 {
@@ -288,8 +288,8 @@ Division division_of(const World& world, const ContactProblem& problem, const Is
     else
         division = first_impact(world, problem, island);
     division.is_free &= island.moved_bounces.empty();
-    // Each further division must resolve one more bounce, which a second bounce at the same time as
-    // the first may not be: a body that rests would bounce again and again.
+    // Beyond the limit, a division is allowed only if it resolves a new bounce. A bounce at the
+    // time of the one before is not new: for a body that rests, there would be no end of them.
     const bool is_again = division.at == Division::At::start && divisions.is_after_bounce;
     if (is_at_limit) return division.is_apart && !is_again ? division : Division();
     if (division.time > 0) return division;
@@ -308,7 +308,7 @@ Division division_of(const World& world, const ContactProblem& problem, const Is
                   : is_any(std::ref(overlaps_anew)) || is_any(runs) || is_any(in_air))
         division = {h / 2, Division::At::middle};
     else if (divisions.all() < most_divisions_of_sliding)
-        division.time = end_of_sliding(problem, island, first);
+        division.time = end_of_sliding(problem, island, before_forces);
     return division;
 }
 
@@ -336,7 +336,8 @@ void count_parts(const World& parts, const ContactProblem& problem, const Island
 
 } // namespace
 
-Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::vector<Body>& first,
+Refinement refine_by_substeps(World& world, ContactProblem& problem,
+                              const std::vector<Body>& before_forces,
                               const std::vector<bool>& pulled, const ContactCandidates& candidates,
                               std::vector<RigidState>& states, const Divisions& divisions,
                               const StepOfPart& step)
@@ -344,8 +345,8 @@ Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::
     Refinement refined;
     OverlapCheck overlaps_anew(world, problem, candidates, states);
     for (Island& island : problem.islands) {
-        const Division division =
-            division_of(world, problem, island, first, pulled, divisions, states, overlaps_anew);
+        const Division division = division_of(world, problem, island, before_forces, pulled,
+                                              divisions, states, overlaps_anew);
         if (division.time == 0) continue;
         const std::optional<std::vector<int>> moved =
             bodies_moved_together(world, problem, island, candidates.contacts);

@@ -60,12 +60,13 @@ using StepOfPart = std::function<std::vector<ContactRecord>(World& world, double
 ///
 /// @param world    only its counters change
 /// @param problem  the impulses of repeated islands are set to zero in it
-/// @param first    the bodies before the forces
+/// @param before_forces  the bodies before the forces
 /// @param pulled   for each body, whether springs, applied forces or drag act on it
 /// @param states   the states after the step; those of repeated islands are replaced
 /// @param divisions  those on the way to this step, none for the whole step
 /// @param step     advances a world by one part of the step; it may divide this part again
-Refinement refine_by_substeps(World& world, ContactProblem& problem, const std::vector<Body>& first,
+Refinement refine_by_substeps(World& world, ContactProblem& problem,
+                              const std::vector<Body>& before_forces,
                               const std::vector<bool>& pulled, const ContactCandidates& candidates,
                               std::vector<RigidState>& states, const Divisions& divisions,
                               const StepOfPart& step);

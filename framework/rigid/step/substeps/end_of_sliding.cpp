@@ -40,7 +40,7 @@ bool turns(const DrivenBody* drive)
 }
 
 std::vector<SlidingContact> sliding_contacts(const ContactProblem& problem, const Island& island,
-                                             const std::vector<Body>& first)
+                                             const std::vector<Body>& before_forces)
 {
     std::vector<SlidingContact> sliding;
     for (const ContactPair& pair : island.pairs)
@@ -49,8 +49,8 @@ std::vector<SlidingContact> sliding_contacts(const ContactProblem& problem, cons
             const double limit = c.friction * c.normal.dot(c.contact_impulse); // μ jₙ
             if (!(limit > 0) || !problem.holds(c)) continue;
             if (turns(problem.drive_of(c.body1)) || turns(problem.drive_of(c.body2))) return {};
-            const Body body1 = body_at(problem, first, c.body1, &DrivenBody::first),
-                       body2 = body_at(problem, first, c.body2, &DrivenBody::first);
+            const Body body1 = body_at(problem, before_forces, c.body1, &DrivenBody::first),
+                       body2 = body_at(problem, before_forces, c.body2, &DrivenBody::first);
             const Vector3d v = slip(velocity_at(c, body1, body2), c.normal);
             const double speed = v.norm();
             // A contact that rolls along a curve sticks only in the middle of the step.
@@ -65,7 +65,7 @@ std::vector<SlidingContact> sliding_contacts(const ContactProblem& problem, cons
 } // namespace
 
 double end_of_sliding(const ContactProblem& problem, const Island& island,
-                      const std::vector<Body>& first)
+                      const std::vector<Body>& before_forces)
 {
     const ContactMethod method = problem.settings.contact_method;
     if (method == ContactMethod::one_at_a_time || method == ContactMethod::shock_propagation)
@@ -75,7 +75,7 @@ double end_of_sliding(const ContactProblem& problem, const Island& island,
         for (int i = pair.first; i < pair.last; ++i)
             if (!problem.contacts[i].collision_impulse.isZero(0)) return 0;
 
-    const std::vector<SlidingContact> sliding = sliding_contacts(problem, island, first);
+    const std::vector<SlidingContact> sliding = sliding_contacts(problem, island, before_forces);
     const auto is_below_limit = [&](const SlidingContact& s) {
         const Vector3d friction = slip(s.contact->contact_impulse, s.contact->normal);
         return (s.limit - friction).norm() > negligible * s.limit.norm();

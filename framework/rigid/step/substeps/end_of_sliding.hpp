@@ -14,11 +14,11 @@ namespace rigor {
 /// would change at a constant rate, and it would pass zero at this time. If several contacts stop
 /// sliding, the first time counts.
 ///
-/// @param first  the bodies before the forces
+/// @param before_forces  the bodies before the forces
 /// @return the time, or 0 if no contact stops, the island has several bodies, one of its contacts
 ///         bounced, or it lies on a driven body that turns. (Between several bodies, the solver
 ///         leaves speeds at contacts that stick.)
 double end_of_sliding(const ContactProblem& problem, const Island& island,
-                      const std::vector<Body>& first);
+                      const std::vector<Body>& before_forces);
 
 } // namespace rigor

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A constructor takes the channel to the grader and answers before the first question.
+// A function that runs before `main` takes the channel to the grader, and answers before the first
+// question.
 // expect: 0 crashed
 #include "formulas/pipeline.hpp"
 

@@ -36,7 +36,7 @@ TEST_CASE("active contacts: in a pile a tiny gap counts as closed", "[rigid]")
     std::vector<int> balls;
     for (std::size_t i = 0; i <= few_bodies; ++i)
         balls.push_back(problem.add(ball_at({static_cast<double>(i), 0.5, 0}, 2)));
-    const double tiny = 2 * resting_overlap * 0.5;
+    const double tiny = 2 * penetration_slop * 0.5;
     for (const int ball : balls)
         problem.touch(ball, 0, {0, 0, 0}).gap = tiny;
     activate_contacts(problem, problem.island);
