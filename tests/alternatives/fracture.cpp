@@ -192,6 +192,24 @@ std::optional<Vector3d> crack_plane(const Matrix3d& stress, double threshold)
     return std::nullopt;
 }
 
+// All edges begin at the first vertex, so the face opposite to it has differences of edges.
+int closest_face(const std::array<Vector3d, 4>& x, const Vector3d& normal)
+{
+    Vector3d edge[3] = {x[1] - x[0], x[2] - x[0], x[3] - x[0]};
+    for (Vector3d& e : edge) // else squares of tiny or huge tetrahedra are no doubles
+        e *= 1 / std::max({(x[1] - x[0]).lpNorm<Eigen::Infinity>(),
+                           (x[2] - x[0]).lpNorm<Eigen::Infinity>(),
+                           (x[3] - x[0]).lpNorm<Eigen::Infinity>(), 1e-300});
+    const Vector3d areas[] = {(edge[1] - edge[0]).cross(edge[2] - edge[0]), edge[1].cross(edge[2]),
+                              edge[2].cross(edge[0]), edge[0].cross(edge[1])};
+    double values[4];
+    for (int f = 0; f < 4; ++f) {
+        const double area = areas[f].stableNorm();
+        values[f] = area > 0 ? std::abs(areas[f].dot(normal)) / area : 0;
+    }
+    return static_cast<int>(std::max_element(values, values + 4) - values); // the first of equals
+}
+
 SplitMesh split_along_faces(const TetrahedralMesh& mesh, const std::vector<MeshFace>& faces)
 {
     std::map<Face, std::vector<int>> sides = sides_of_faces(mesh.tetrahedra);

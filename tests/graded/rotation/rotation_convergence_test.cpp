@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A3.15 and A3.16: motions with an exact solution, and how fast the error falls with the step. The
-// numbers solve Euler's equations of a free body by Jacobi's elliptic functions, to 15 digits.
+// expected values are the solution of Euler's equations of a free body by Jacobi's elliptic
+// functions, to 15 digits.
 #include "formulas/rotation.hpp"
 #include "rotation_cases.hpp"
 #include "support/close.hpp"

@@ -39,10 +39,8 @@ template <class Check> void for_each_update(const Check& check)
 // Calls check(n) for axes along x, y and z, both ways, for all diagonals, and for others.
 template <class Check> void for_each_axis(const Check& check)
 {
-    for (int x = -1; x <= 1; ++x)
-        for (int y = -1; y <= 1; ++y)
-            for (int z = -1; z <= 1; ++z)
-                if (x != 0 || y != 0 || z != 0) check(Vector3d(x, y, z).normalized());
+    for (int k = 0; k < 27; ++k)
+        if (k != 13) check(Vector3d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1).normalized());
     for (Random random : seeds(20))
         check(random.unit_vector());
 }

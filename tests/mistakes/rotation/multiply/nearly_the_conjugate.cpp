@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A factor that is the conjugate of the other one up to 1e-12 is taken for it, so their product has
-// no vector part.
+// If a factor differs from the conjugate of the other one by less than 1e-12, it counts as this
+// conjugate, and the product has no vector part.
 #include "formulas/rotation.hpp"
 
 namespace rigor {
