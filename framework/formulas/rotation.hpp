@@ -76,7 +76,8 @@ Quaternion advance_linear(const Quaternion& q, const Vector3d& omega, double tim
 /// A3.13 Longest time step [s] in which the body turns by at most a quarter turn, (π/2)/|ω|.
 /// Lecture: "Integrating rotation".
 ///
-/// ω = 0: infinity, an exception to the rule that results are finite.
+/// ω = 0, or so small that the quotient is no double: infinity, an exception to the rule that
+/// results are finite.
 double max_time_step(const Vector3d& omega);
 
 /// A3.14 Gravity on a rigid body: the force M g and no torque.

@@ -15,9 +15,10 @@
 //   * A static body is one whose velocity nothing changes. It has inverse mass 0 and inverse
 //     inertia 0, and no formula divides by its mass.
 //   * Every formula is total: the result is finite for finite arguments, as long as a double holds
-//     the terms that the formula adds up, and their squares. The exceptions are A3.13 (for ω = 0)
-//     and A6.7 (for G = 0), which are then infinite. A formula remembers no earlier call, and for
-//     a zero of either sign it has the same result.
+//     the terms that the formula adds up, and their squares, in topic `collision` also products of
+//     three of them. The exceptions are A3.13 (for ω = 0) and A6.7 (for G = 0), which are then
+//     infinite. A formula remembers no earlier call, and for a zero of either sign it has the same
+//     result.
 #pragma once
 
 #include <Eigen/Dense>
