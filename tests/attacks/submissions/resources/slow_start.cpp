@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A global variable whose value takes seconds, at each start of the program.
-// expect: 0 timed_out: before any function is called: look at what it defines globally
+// A global variable whose value takes seconds, at each start of the program. A0 has one task, and
+// so few starts that their time may be enough.
+// expect: 0 timed_out|passed
 #include "formulas/pipeline.hpp"
 
 #include <ctime>
