@@ -34,53 +34,6 @@ TEST_CASE("plasticity: a shear counts however small it is beside the pressure",
         }
 }
 
-namespace {
-
-// Tensors of which one entry, or pair of entries, is small beside the others, and their von Mises
-// stresses, from the sum of the squares of the differences and of the shears in more digits.
-template <class Check> void with_a_small_entry(const Check& check)
-{
-    for (int i = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j)
-            for (int power = 1; power <= 26; ++power) {
-                CAPTURE(i, j, power);
-                Matrix3d A = Vector3d(i == 0 && j == 0 ? 0 : 1, 0, 0).asDiagonal();
-                if (i == 0 && j == 0) A(1, 1) = 1;
-                A(i, j) += std::ldexp(1.5, -power);
-                A(j, i) = A(i, j);
-                const auto squared = [](long double x) { return x * x; };
-                const auto a = [&A](int k, int l) -> long double { return A(k, l); };
-                const long double differences = squared(a(0, 0) - a(1, 1)) +
-                                                squared(a(1, 1) - a(2, 2)) +
-                                                squared(a(2, 2) - a(0, 0)),
-                                  shears = squared(a(0, 1)) + squared(a(1, 2)) + squared(a(2, 0));
-                check(A, static_cast<double>(std::sqrt(differences / 2 + 3 * shears)));
-            }
-}
-
-} // namespace
-
-TEST_CASE("plasticity: an entry counts however small it is beside the others", "[A6.3][plasticity]")
-{
-    with_a_small_entry([](const Matrix3d& stress, double expected) {
-        REQUIRE_THAT(von_mises_frobenius(stress), IsClose(expected, Rounding(16)));
-    });
-}
-
-TEST_CASE("plasticity: an entry of the stress counts however small it is", "[A6.4][plasticity]")
-{
-    with_a_small_entry([](const Matrix3d& stress, double expected) {
-        REQUIRE_THAT(von_mises(stress), IsClose(expected, Rounding(16)));
-    });
-}
-
-TEST_CASE("plasticity: an entry of the strain counts however small it is", "[A6.6][plasticity]")
-{
-    with_a_small_entry([](const Matrix3d& strain, double expected) {
-        REQUIRE_THAT(von_mises_from_strain(strain, 3), IsClose(6 * expected, Rounding(16)));
-    });
-}
-
 TEST_CASE("plasticity: a shear strain counts however small it is beside the change of volume",
           "[A6.6][plasticity]")
 {
@@ -112,7 +65,7 @@ double exact_mises(const Matrix3d& A)
 template <class Check> void with_unlike_entries(const Check& check)
 {
     std::vector<double> ratios;
-    for (int power = 1; power <= 40; power += 3)
+    for (int power = 1; power <= 40; ++power)
         ratios.push_back(1.5 * std::ldexp(1, -power));
     for (const double ratio : {-1e-20, 1e-60, -1e-100, 1e-140, 1e-200})
         ratios.push_back(ratio);
@@ -163,21 +116,21 @@ TEST_CASE("plasticity: near every special state of stress", "[A6.2][plasticity]"
 TEST_CASE("plasticity: stresses of very different sizes", "[A6.3][plasticity]")
 {
     with_unlike_entries([](const Matrix3d& A) {
-        REQUIRE_THAT(von_mises_frobenius(A), IsClose(exact_mises(A), Rounding(32)));
+        REQUIRE_THAT(von_mises_frobenius(A), IsClose(exact_mises(A), Rounding(16)));
     });
 }
 
 TEST_CASE("plasticity: entries of very different sizes", "[A6.4][plasticity]")
 {
     with_unlike_entries([](const Matrix3d& A) {
-        REQUIRE_THAT(von_mises(A), IsClose(exact_mises(A), Rounding(32)));
+        REQUIRE_THAT(von_mises(A), IsClose(exact_mises(A), Rounding(16)));
     });
 }
 
 TEST_CASE("plasticity: strains of very different sizes", "[A6.6][plasticity]")
 {
     with_unlike_entries([](const Matrix3d& A) {
-        REQUIRE_THAT(von_mises_from_strain(A, 3), IsClose(6 * exact_mises(A), Rounding(32)));
+        REQUIRE_THAT(von_mises_from_strain(A, 3), IsClose(6 * exact_mises(A), Rounding(16)));
     });
 }
 

@@ -12,11 +12,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace rigor::testing {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // All tetrahedra of a cut edge must be halved, also those that no chain of faces reaches.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

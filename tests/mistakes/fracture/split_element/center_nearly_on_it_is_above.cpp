@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A center that is below the plane by no more than rounding counts as above it, as if on it.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A tetrahedron whose center is exactly on the plane is above it, not below.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

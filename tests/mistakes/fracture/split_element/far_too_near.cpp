@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The snap distance is five times too large: vertices far from the plane count as on it.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A tetrahedron whose vertices all are on the plane counts as above it, wherever its center is.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A tetrahedron whose vertices all count as on the plane stays joined to both sides.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

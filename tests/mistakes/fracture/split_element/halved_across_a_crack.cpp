@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A tetrahedron that an earlier crack has separated keeps its edge, which is at the same place.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

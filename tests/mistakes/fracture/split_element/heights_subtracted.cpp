@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Heights are n·x - n·x_v. Far from the origin their digits cancel.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Edges are split at their midpoint instead of where the plane meets them.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

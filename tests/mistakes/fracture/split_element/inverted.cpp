@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One half of each split tetrahedron has two corners swapped and is inverted.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A new vertex is kept away from the ends of its edge, so it is not on the plane.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

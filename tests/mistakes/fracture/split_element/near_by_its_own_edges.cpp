@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The snap distance of a vertex comes from the edges of its own tetrahedra, not of all.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

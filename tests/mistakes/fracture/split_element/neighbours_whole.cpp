@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Neighbours of the split tetrahedra are not split, which leaves vertices inside their edges.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Components of the normal below 1e-9 are taken for rounding errors and left out.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The elements are split, but the crack is not opened.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The mesh must not split if no vertex is above the plane; here a flat tetrahedron splits off.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every tetrahedron at the vertex is separated from all others, not only across the plane.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A center a micrometre below the plane is below it: only a center exactly on it counts as above.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

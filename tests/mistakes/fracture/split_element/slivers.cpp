@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The snap distance is nearly zero, so that cuts close to a vertex leave slivers.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The share of the volume is estimated as a quarter for each real corner; it must be measured.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/copy_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A part without matter is divided by no further crack, though cracks separate its corners.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/copy_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Only the first crack of a tetrahedron is used; the later ones are ignored.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/copy_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Copies of neighbours are connected wherever they share a face, even across the crack.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/copy_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Each copy gets the whole volume of its parent instead of its share.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/copy_rules.hpp"
 
 namespace rigor {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Each part is clipped by every crack, so a region without a real corner belongs to no part.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/copy_rules.hpp"
 
 namespace rigor {
 

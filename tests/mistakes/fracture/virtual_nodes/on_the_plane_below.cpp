@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A corner on the plane must count as on the side of the normal, not on the other side.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/copy_rules.hpp"
 
 namespace rigor {
 

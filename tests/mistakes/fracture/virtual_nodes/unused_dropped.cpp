@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A vertex that no tetrahedron uses must stay in the mesh.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/copy_rules.hpp"
 
 namespace rigor {
 

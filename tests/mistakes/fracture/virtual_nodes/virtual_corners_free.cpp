@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Only the real corners of a shared face are connected; its virtual corners stay separate.
-#include "mistakes/fracture/cutting.hpp"
+#include "mistakes/fracture/copy_rules.hpp"
 
 namespace rigor {
 

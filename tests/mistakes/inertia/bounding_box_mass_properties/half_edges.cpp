@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Half edges are used as if they were full ones.
-#include "formulas/inertia.hpp"
+#include "mistakes/inertia/bounding_box.hpp"
 
 namespace rigor {
 
 MassProperties bounding_box_mass_properties(const std::vector<Vector3d>& vertices, double mass)
 {
     if (vertices.empty() || mass == 0) return {};
-    Vector3d low = vertices.front(), high = low;
-    for (const Vector3d& vertex : vertices) {
-        low = low.cwiseMin(vertex);
-        high = high.cwiseMax(vertex);
-    }
-    const Vector3d squares = (high - low).cwiseAbs2();
-    const Vector3d I = mass / 48 * (squares.sum() * Vector3d::Ones() - squares);
-    return {mass, (low + high) / 2, I.asDiagonal()};
+    const Bounds box = bounds_of(vertices);
+    return box_of(mass, box.center(), box.edges() / 2);
 }
 
 } // namespace rigor

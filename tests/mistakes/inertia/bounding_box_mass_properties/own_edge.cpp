@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Each moment is made of the edge along its own axis.
-#include "formulas/inertia.hpp"
+#include "mistakes/inertia/bounding_box.hpp"
 
 namespace rigor {
 
 MassProperties bounding_box_mass_properties(const std::vector<Vector3d>& vertices, double mass)
 {
     if (vertices.empty() || mass == 0) return {};
-    Vector3d low = vertices.front(), high = low;
-    for (const Vector3d& vertex : vertices) {
-        low = low.cwiseMin(vertex);
-        high = high.cwiseMax(vertex);
-    }
-    const Vector3d squares = (high - low).cwiseAbs2();
-    const Vector3d I = mass / 12 * squares;
-    return {mass, (low + high) / 2, I.asDiagonal()};
+    const Bounds box = bounds_of(vertices);
+    const Vector3d I = mass / 12 * box.edges().cwiseAbs2();
+    return {mass, box.center(), I.asDiagonal()};
 }
 
 } // namespace rigor

@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The integral over the tetrahedra is about the origin and was not moved to the center of mass.
-#include "formulas/inertia.hpp"
+#include "mistakes/inertia/mesh_solid.hpp"
 
 namespace rigor {
 
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
 {
-    double V = 0;
-    Vector3d Vx = Vector3d::Zero();
-    Matrix3d Vxx = Matrix3d::Zero();
-    for (const auto& [i, j, k] : mesh.triangles) {
-        const Vector3d a = mesh.vertices[i], b = mesh.vertices[j], c = mesh.vertices[k];
-        const Vector3d s = a + b + c;
-        const double det = a.dot(b.cross(c));
-        V += det / 6;
-        Vx += det / 24 * s;
-        Vxx += det / 120 *
-               (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
-    }
-    if (V == 0) return {};
-    const Matrix3d C = density * Vxx;
-    return {density * V, Vx / V, C.trace() * Matrix3d::Identity() - C};
+    MassProperties solid = solid_in_mesh(mesh, density);
+    const Vector3d& X = solid.center_of_mass;
+    solid.inertia += solid.mass * (X.squaredNorm() * Matrix3d::Identity() - X * X.transpose());
+    return solid;
 }
 
 } // namespace rigor

@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A mesh that is inside out has a negative mass; here it has none.
-#include "formulas/inertia.hpp"
+#include "mistakes/inertia/mesh_solid.hpp"
 
 namespace rigor {
 
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
 {
-    double V = 0;
-    Vector3d Vx = Vector3d::Zero();
-    Matrix3d Vxx = Matrix3d::Zero();
-    for (const auto& [i, j, k] : mesh.triangles) {
-        const Vector3d a = mesh.vertices[i], b = mesh.vertices[j], c = mesh.vertices[k];
-        const Vector3d s = a + b + c;
-        const double det = a.dot(b.cross(c));
-        V += det / 6;
-        Vx += det / 24 * s;
-        Vxx += det / 120 *
-               (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
-    }
-    if (V <= 0) return {};
-    const Vector3d X = Vx / V;
-    const Matrix3d C = density * (Vxx - V * X * X.transpose());
-    return {density * V, X, C.trace() * Matrix3d::Identity() - C};
+    const MassProperties solid = solid_in_mesh(mesh, density);
+    return solid.mass * density <= 0 ? MassProperties() : solid;
 }
 
 } // namespace rigor

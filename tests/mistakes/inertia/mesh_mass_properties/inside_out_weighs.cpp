@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A mesh that is inside out gets a positive mass, but its inertia stays negative.
-#include "formulas/inertia.hpp"
+#include "mistakes/inertia/mesh_solid.hpp"
 
 #include <cmath>
 
@@ -8,22 +8,9 @@ namespace rigor {
 
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
 {
-    double V = 0;
-    Vector3d Vx = Vector3d::Zero();
-    Matrix3d Vxx = Matrix3d::Zero();
-    for (const auto& [i, j, k] : mesh.triangles) {
-        const Vector3d a = mesh.vertices[i], b = mesh.vertices[j], c = mesh.vertices[k];
-        const Vector3d s = a + b + c;
-        const double det = a.dot(b.cross(c));
-        V += det / 6;
-        Vx += det / 24 * s;
-        Vxx += det / 120 *
-               (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
-    }
-    if (V == 0) return {};
-    const Vector3d X = Vx / V;
-    const Matrix3d C = density * (Vxx - V * X * X.transpose());
-    return {density * std::abs(V), X, C.trace() * Matrix3d::Identity() - C};
+    MassProperties solid = solid_in_mesh(mesh, density);
+    solid.mass = std::copysign(solid.mass, density);
+    return solid;
 }
 
 } // namespace rigor

@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The sign is wrong: the products of inertia are minus the integrals of x y.
-#include "formulas/inertia.hpp"
+#include "mistakes/inertia/mesh_solid.hpp"
 
 namespace rigor {
 
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
 {
-    double V = 0;
-    Vector3d Vx = Vector3d::Zero();
-    Matrix3d Vxx = Matrix3d::Zero();
-    for (const auto& [i, j, k] : mesh.triangles) {
-        const Vector3d a = mesh.vertices[i], b = mesh.vertices[j], c = mesh.vertices[k];
-        const Vector3d s = a + b + c;
-        const double det = a.dot(b.cross(c));
-        V += det / 6;
-        Vx += det / 24 * s;
-        Vxx += det / 120 *
-               (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
-    }
-    if (V == 0) return {};
-    const Vector3d X = Vx / V;
-    const Matrix3d C = density * (Vxx - V * X * X.transpose());
-    Matrix3d I = C;
-    I.diagonal() = C.trace() * Vector3d::Ones() - C.diagonal();
-    return {density * V, X, I};
+    MassProperties solid = solid_in_mesh(mesh, density);
+    const Vector3d moments = solid.inertia.diagonal();
+    solid.inertia = -solid.inertia;
+    solid.inertia.diagonal() = moments;
+    return solid;
 }
 
 } // namespace rigor
