@@ -77,7 +77,7 @@ bool is_full(const fs::path& disk)
 
 std::string why_it_ended(const ConfinedRun& run, const std::string& file, const fs::path& out)
 {
-    const ToolLimit met = limit_met(run.output);
+    const ToolLimit met = limit_met(run.signal, run.output);
     if (run.timed_out || met == ToolLimit::time)
         return fmt::format("{}: took longer than {} s to compile\n", file, compile_limit);
     if (run.blocked_call)

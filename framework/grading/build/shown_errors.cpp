@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <string_view>
 #include <vector>
 
@@ -121,8 +122,10 @@ std::string shown_errors(const std::string& output)
     return barred;
 }
 
-ToolLimit limit_met(const std::string& output)
+ToolLimit limit_met(int signal, const std::string& output)
 {
+    if (signal == SIGXFSZ) return ToolLimit::file_size;
+    if (signal == SIGXCPU) return ToolLimit::time;
     // The texts below are the system's names of signals, and messages of gcc, Clang and the
     // assembler about a lack of memory. A linker that does not end at the first signal is killed.
     if (mentions(output, "File size limit exceeded")) return ToolLimit::file_size;

@@ -14,7 +14,8 @@ std::string shown_errors(const std::string& output);
 /// The limits of a tool that is run for a submission.
 enum class ToolLimit { none, file_size, memory, time };
 
-/// Which limit a tool has exceeded, judged by its output.
-ToolLimit limit_met(const std::string& output);
+/// Which limit a tool has exceeded, judged by the signal that ended it (or 0) and by its output,
+/// which names the signal that ended a program that the tool started.
+ToolLimit limit_met(int signal, const std::string& output);
 
 } // namespace rigor

@@ -142,9 +142,10 @@ public:
             take_over(out / "worker", worker());
             return {why_it_does_not_start(worker()), undefined_names(printable(linked.output))};
         }
-        if (linked.timed_out || limit_met(linked.output) == ToolLimit::time)
+        const ToolLimit met = limit_met(linked.signal, linked.output);
+        if (linked.timed_out || met == ToolLimit::time)
             return {fmt::format("cannot be linked: took longer than {} s\n", link_limit), {}};
-        if (limit_met(linked.output) == ToolLimit::file_size)
+        if (met == ToolLimit::file_size)
             return {fmt::format("cannot be linked: expected a program of at most {} MB\n",
                                 largest_worker() >> 20),
                     {}};

@@ -199,7 +199,9 @@ ConfinedRun run_tool(const ToolRun& tool)
     walls.readable.push_back(tool.folder);
     walls.writable = {tool.out};
     walls.folder = tool.folder;
-    walls.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + tool.out.string()};
+    // The last one keeps Clang from starting a symbolizer, which opens a socket, where it crashes.
+    walls.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + tool.out.string(),
+                         "LLVM_DISABLE_SYMBOLIZATION=1"};
     walls.limits.address_space = memory_of_a_tool();
     // A compiler starts an assembler, and a linker starts some threads for each processor.
     walls.limits.processes = 64 + 4 * std::thread::hardware_concurrency();

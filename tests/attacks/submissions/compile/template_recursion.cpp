@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A template without end.
-// expect: 0 compile_error: template instantiation depth
+// expect: 0 compile_error: template instantiation
 #include "formulas/pipeline.hpp"
 
 namespace rigor {

@@ -3,6 +3,7 @@
 #include "grading/places.hpp"
 #include "support/catch.hpp"
 
+#include <csignal>
 #include <string>
 
 namespace rigor::testing::shown_errors_test {
@@ -67,17 +68,20 @@ TEST_CASE("shown errors: a file of others looks like none", "[build]")
 TEST_CASE("shown errors: each limit of a tool is known by its words", "[build]")
 {
     using enum ToolLimit;
-    CHECK(limit_met("c++: internal compiler error: File size limit exceeded signal terminated "
-                    "program as\n") == file_size);
-    CHECK(limit_met("c++: fatal error: CPU time limit exceeded signal terminated program "
-                    "cc1plus\n") == time);
-    CHECK(limit_met("collect2: fatal error: ld terminated with signal 9 [Killed]\n") == time);
+    CHECK(limit_met(0, "c++: internal compiler error: File size limit exceeded signal terminated "
+                       "program as\n") == file_size);
+    CHECK(limit_met(0, "c++: fatal error: CPU time limit exceeded signal terminated program "
+                       "cc1plus\n") == time);
+    CHECK(limit_met(0, "collect2: fatal error: ld terminated with signal 9 [Killed]\n") == time);
     for (const char* words : {"cc1plus: out of memory allocating 65536 bytes after a total of 9\n",
                               "virtual memory exhausted: Cannot allocate memory\n",
                               "LLVM ERROR: out of memory\n", "as: memory exhausted\n",
                               "terminate called after throwing an instance of 'std::bad_alloc'\n"})
-        CHECK(limit_met(words) == memory);
-    CHECK(limit_met("a.cpp:1:2: error: no\n") == none);
+        CHECK(limit_met(0, words) == memory);
+    CHECK(limit_met(0, "a.cpp:1:2: error: no\n") == none);
+    CHECK(limit_met(SIGXFSZ, "Stack dump:\n") == file_size);
+    CHECK(limit_met(SIGXCPU, "") == time);
+    CHECK(limit_met(SIGSEGV, "") == none);
 }
 
 } // namespace rigor::testing::shown_errors_test
