@@ -24,9 +24,10 @@ double sample_level_set(const LevelSet& grid, const Vector3d& p);
 /// A4.2 Outward unit normal at p: the normalized gradient of the trilinear φ in the cell that
 /// contains p.
 ///
-/// A point on the face between two cells belongs to the cell with the higher index; a point on the
-/// last face of the grid belongs to the last cell. Outside the grid: the gradient at the nearest
-/// point of the grid's box. Zero gradient: (0, 1, 0).
+/// A point on the face between two cells belongs to the cell with the higher index (where origin
+/// and cell_size are not exact, as 0.1, rounding may decide); a point on the last face of the grid
+/// belongs to the last cell. Outside the grid: the gradient at the nearest point of the grid's box.
+/// Zero gradient: (0, 1, 0).
 Vector3d level_set_normal(const LevelSet& grid, const Vector3d& p);
 
 /// A4.3 Relative velocity at x, v = v₁ - v₂ with vᵢ = ωᵢ × (x - Xᵢ) + Vᵢ [m/s]. A static body may

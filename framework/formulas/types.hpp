@@ -17,8 +17,9 @@
 //   * Every formula is total: the result is finite for finite arguments, as long as a double holds
 //     the terms that the formula adds up, and their squares, in topic `collision` also products of
 //     three of them. The exceptions are A3.13 (for ω = 0) and A6.7 (for G = 0), which are then
-//     infinite. A formula remembers no earlier call, and for a zero of either sign it has the same
-//     result.
+//     infinite. A number so small that its square is no double may count as 0. A formula remembers
+//     no earlier call, and for a zero of either sign it has the same result (-0 or 0: they are
+//     equal).
 #pragma once
 
 #include <Eigen/Dense>

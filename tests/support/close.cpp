@@ -117,6 +117,13 @@ Difference difference_between(const Components& actual, const Components& expect
     return worst;
 }
 
+bool are_close(const Components& actual, const Components& expected, const Tolerance& tolerance)
+{
+    if (difference_between(actual, expected, tolerance).kind != Difference::none) return false;
+    SUCCEED();
+    return true;
+}
+
 namespace {
 
 // What a verdict says of one of two values that differ: the value in short, followed by its wrong

@@ -16,6 +16,7 @@
 
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rigor::testing {
@@ -131,6 +132,20 @@ CloseMatcher<typename Evaluated<T>::type> IsClose(const T& expected, const Toler
 template <class T> CloseMatcher<typename Evaluated<T>::type> IsExactly(const T& expected)
 {
     return {expected, Exactly()};
+}
+
+/// Whether the numbers of two values are close. If so, this counts as a check that has passed.
+bool are_close(const Components& actual, const Components& expected, const Tolerance& tolerance);
+
+/// REQUIRE_THAT(actual, IsClose(expected, tolerance)) with a note for the failure. As a function it
+/// keeps the laws, which are compiled for each formula, short.
+template <class T>
+[[gnu::noinline]] void require_close(const T& actual, const T& expected, const Tolerance& tolerance,
+                                     std::string_view note)
+{
+    if (are_close(components(actual), components(expected), tolerance)) return;
+    INFO(note);
+    REQUIRE_THAT(actual, IsClose(expected, tolerance));
 }
 
 /// RᵀR = δ and det R = +1, to 128 eps.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A7.5 to A7.7: hundreds of tetrahedra around a vertex and hundreds of copies of it, wherever they
-// stand in the lists.
+// A7.5 to A7.7: thousands of tetrahedra around a vertex and thousands of copies of it, wherever
+// they stand in the lists.
 #include "element_laws.hpp"
 #include "support/seeds.hpp"
 #include "virtual_nodes_laws.hpp"
@@ -40,19 +40,26 @@ TEST_CASE("fracture: a vertex has as many copies as groups of tetrahedra", "[A7.
         });
 }
 
-TEST_CASE("fracture: thousands of tetrahedra around an edge stay together", "[A7.5][fracture]")
+TEST_CASE("fracture: thousands of tetrahedra around an edge stay together or part at two faces",
+          "[A7.5][fracture]")
 {
     Random random(1);
-    for (const Placed& at :
-         {Placed(ring_around_edge(2000)), Placed(ring_around_edge(5000), random)})
-        check_count(vertex_count(split_along_faces(at.mesh, {}).mesh), vertex_count(at.mesh),
-                    "vertices");
+    for (const Placed& at : {Placed(ring_around_edge(2000)), Placed(ring_around_edge(70'000)),
+                             Placed(ring_around_edge(5000), random)}) {
+        const int n = static_cast<int>(at.mesh.tetrahedra.size());
+        check_count(vertex_count(split_along_faces(at.mesh, {}).mesh), n + 2, "vertices");
+        const std::vector<MeshFace> faces = {face_before(at, n - 300), face_before(at, n - 100)};
+        const SplitMesh result = split_along_faces(at.mesh, faces);
+        // both ends of the edge are doubled, and a vertex at each cut
+        check_count(vertex_count(result.mesh), n + 2 + 4, "vertices");
+        check_count(piece_count(result.mesh), 2, "pieces");
+    }
 }
 
 TEST_CASE("fracture: a plane along an edge cuts any number of tetrahedra around it",
           "[A7.6][fracture]")
 {
-    for (const int n : {12, 40, 70, 130, 300})
+    for (const int n : {12, 40, 70, 130, 300, 2000})
         for (Random random : seeds(4)) {
             CAPTURE(n);
             const Placed at(ring_around_edge(n), random);
@@ -66,7 +73,7 @@ TEST_CASE("fracture: a plane along an edge cuts any number of tetrahedra around 
 TEST_CASE("fracture: a tilted plane cuts any number of tetrahedra around a vertex",
           "[A7.6][fracture]")
 {
-    for (const int n : {12, 40, 70, 130, 300})
+    for (const int n : {12, 40, 70, 130, 300, 2000})
         for (Random random : seeds(4)) {
             CAPTURE(n);
             const Placed at(ring_around_edge(n), random);
@@ -84,7 +91,7 @@ TEST_CASE("fracture: with virtual nodes a vertex has any number of copies", "[A7
 {
     // Three cracks leave each corner of each tetrahedron alone. A rim vertex holds two copies
     // together, and with them a virtual copy of each end of the edge.
-    for (const int n : {5, 40, 100, 300}) {
+    for (const int n : {5, 40, 100, 300, 2000}) {
         CAPTURE(n);
         const TetrahedralMesh ring = ring_around_edge(n);
         Cracks cracks;

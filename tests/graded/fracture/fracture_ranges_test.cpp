@@ -208,6 +208,32 @@ TEST_CASE("fracture: the tip that a crack cuts off may be tiny", "[A7.7][fractur
     }
 }
 
+TEST_CASE("fracture: two corners on either side at nearly equal heights", "[A7.7][fracture]")
+{
+    const auto nearly = [](double height, int power) { // the same for 53
+        return power == 53 ? height : height * (1 + std::ldexp(1, -power));
+    };
+    const std::array<int, 4> orders[] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {2, 3, 0, 1},
+                                         {2, 0, 1, 3}, {3, 2, 1, 0}, {1, 0, 3, 2}};
+    for (int i = 1; i <= 53; i += 4)
+        for (int j = 1; j <= 53; j += 4)
+            for (const auto& order : orders) {
+                CAPTURE(i, j, order[0], order[1]);
+                const double p = 1, q = nearly(1, i), r = 2, s = nearly(2, j); // p, q above
+                const std::array<Vector3d, 4> corners = {
+                    {{p, 0, 0}, {q, 1, 0.5}, {-r, 0, 1}, {-s, 1, -0.5}}};
+                TetrahedralMesh mesh = {{}, {{0, 1, 2, 3}}};
+                for (const int c : order)
+                    mesh.vertices.push_back(corners[c]);
+                // The matter above is that of three tetrahedra, with fractions of the cut edges.
+                const double pr = p / (p + r), ps = p / (p + s), qr = q / (q + r), qs = q / (q + s);
+                const double above = qr * qs + pr * ps * (1 - qr) + ps * qr * (1 - qs);
+                std::vector<double> shares = {above, 1 - above};
+                if (order[0] >= 2) std::swap(shares[0], shares[1]);
+                check_shares(embedded(mesh, {{0, {0, 0, 0}, {1, 0, 0}}}), shares, Rounding(64, 1));
+            }
+}
+
 TEST_CASE("fracture: along faces an unused vertex stays", "[A7.5][fracture]")
 {
     for (int unused = 0; unused <= 5; ++unused) {

@@ -158,9 +158,12 @@ template <FormulaIndex f, auto& formula> void check_affine(const Affine& row)
             [&] {
                 return std::vector{a, b, between};
             },
-            fmt::format("{} is affine in {}: the result for (1-t) a + t b is (1-t) times that for "
-                        "a plus t times that for b, here with t = {:.3g}",
-                        row.formula, listed(row.arguments), t));
+            [&] {
+                return fmt::format(
+                    "{} is affine in {}: the result for (1-t) a + t b is (1-t) times that for "
+                    "a plus t times that for b, here with t = {:.3g}",
+                    row.formula, listed(row.arguments), t);
+            });
     }
 }
 

@@ -188,10 +188,13 @@ template <FormulaIndex f, auto& formula> void check_what_is_left()
                     return std::vector{line.arguments_at(-t), line.arguments_at(t),
                                        line.arguments_at(-far), line.arguments_at(far)};
                 },
-                fmt::format("a part of the result of {} is nearly 0, since its terms cancel: if "
-                            "the arguments change by {:.1g}, the result changes by {:.1g} of what "
-                            "it changes for arguments that change by {:.1g}",
-                            name_of(f), 2 * t, part, 2 * far));
+                [&] {
+                    return fmt::format(
+                        "a part of the result of {} is nearly 0, since its terms cancel: if "
+                        "the arguments change by {:.1g}, the result changes by {:.1g} of what "
+                        "it changes for arguments that change by {:.1g}",
+                        name_of(f), 2 * t, part, 2 * far);
+                });
         }
     }
     check_that(lines > 0, "the result changes with its arguments where its terms cancel");

@@ -100,9 +100,9 @@ template <FormulaIndex f, auto& formula> void check_frames()
         auto found = changed(std::apply(formula, others), of.result, c.undone());
         choose_as(found, expected, of.result);
 
-        INFO("the scene is turned and moved, and the result turned and moved back");
         const auto& should = comparable(expected);
-        REQUIRE_THAT(comparable(found), IsClose(should, universal(should)));
+        require_close(comparable(found), should, universal(should),
+                      "the scene is turned and moved, and the result turned and moved back");
     }
 }
 

@@ -101,8 +101,9 @@ template <class Result> void check_again(Result again, const Result& expected, c
     choose_as(again, expected, q);
     const auto& should = comparable(expected);
     const bool is_same = std::is_same_v<std::remove_cvref_t<decltype(should)>, Result>;
-    INFO("the expected value is the formula's own answer to this call before; either may be wrong");
-    REQUIRE_THAT(comparable(again), IsClose(should, is_same ? Exactly() : universal(should)));
+    require_close(comparable(again), should, is_same ? Exactly() : universal(should),
+                  "the expected value is the formula's own answer to this call before; either may "
+                  "be wrong");
 }
 
 // Compares the result of a call with that of the same call in other units. An answer that is kept
@@ -117,8 +118,9 @@ void check_in_other_units(Arguments<formula> call, const Result& expected)
         Result found = changed(std::apply(formula, call), of.result, units.undone());
         choose_as(found, expected, of.result);
         const auto& should = comparable(expected);
-        INFO("the same call in other units, after another call that differs in a single part");
-        REQUIRE_THAT(comparable(found), IsClose(should, universal(should)));
+        require_close(
+            comparable(found), should, universal(should),
+            "the same call in other units, after another call that differs in a single part");
     }
 }
 

@@ -49,10 +49,6 @@ struct Far {
     double T, share;
 };
 
-// Eight times the rounding error of the worst solution known, which inverts a matrix of condition
-// 100 and multiplies by it. The smallest t is twice as large.
-constexpr double rounding = 0x1p-41;
-
 template <FormulaIndex f, auto& formula> void check_smoothness()
 {
     const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
@@ -73,6 +69,7 @@ template <FormulaIndex f, auto& formula> void check_smoothness()
         ++checked;
         constexpr Far fars[] = {{0x1p-13, 0x1p-4}, {0x1p-10, 0.5}};
         const decltype(at(0)) changes[] = {change_over(fars[0].T), change_over(fars[1].T)};
+        // the smallest is twice `rounding`
         for (const double t : {0x1p-14, 0x1p-20, 0x1p-26, 0x1p-32, 0x1p-38, 0x1p-40}) {
             const auto before = at(-t), found = at(t);
             for (int i = 0; i < 2; ++i) {
@@ -87,10 +84,13 @@ template <FormulaIndex f, auto& formula> void check_smoothness()
                     [&] {
                         return std::vector{place(-t), place(t), place(-T), place(T)};
                     },
-                    fmt::format("{} changes evenly: if each argument changes by {:.1g}, the result "
-                                "changes by {:.1g} of what it changes for arguments that change by "
-                                "{:.1g}",
-                                name_of(f), 2 * t, part, 2 * T));
+                    [&] {
+                        return fmt::format(
+                            "{} changes evenly: if each argument changes by {:.1g}, the result "
+                            "changes by {:.1g} of what it changes for arguments that change by "
+                            "{:.1g}",
+                            name_of(f), 2 * t, part, 2 * T);
+                    });
             }
         }
     }

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 namespace rigor::testing {
 
 namespace {
@@ -46,6 +48,40 @@ std::string growth(double ratio)
     return fmt::format("be {:.6g} times as large", ratio);
 }
 
+// A unit, in words, and the change that makes it four times as small, so that numbers grow.
+struct Unit {
+    const char *all, *one; // "masses", "a mass"
+    Dimension change;
+};
+constexpr Unit units[] = {{"masses", "a mass", {2, 0, 0}},
+                          {"lengths", "a length", {0, 2, 0}},
+                          {"times", "a time", {0, 0, 2}}};
+
+using NameOfNumber = std::function<std::string(std::size_t)>;
+
+/// What is wrong with the first number of the result that grows wrongly with a unit, in words.
+/// @param before         the result before the change
+/// @param wanted, found  as it should be and as it is after the change
+std::string growth_in_words(const Unit& unit, const std::vector<double>& before,
+                            const std::vector<double>& wanted, const std::vector<double>& found,
+                            const NameOfNumber& name)
+{
+    if (found.size() != before.size())
+        return fmt::format("when all {} grow 4-fold, the number of values changes; ", unit.all);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const double old = before[i], should = wanted[i] / old, is = found[i] / old;
+        if (!(std::abs(old) > 1e-9) || std::abs(is - should) <= 1e-6 * std::abs(should)) continue;
+        const double missing = std::log2(should / is) / 2;
+        const bool is_power = std::abs(missing - std::round(missing)) < 1e-6;
+        const std::string place = name(i);
+        return fmt::format("when all {} grow 4-fold, {} must {}; yours would {}: ", unit.all,
+                           place.empty() ? "the result" : place, growth(should), growth(is)) +
+               (is_power ? fmt::format("{} to the power {:.0f} is missing; ", unit.one, missing)
+                         : "a number in the formula has a unit, such as an absolute threshold; ");
+    }
+    return "";
+}
+
 /// What happens to a wrong number of the result if only one unit changes, in words.
 template <FormulaIndex f, auto& formula>
 std::string units_in_words(const Arguments<formula>& arguments)
@@ -53,37 +89,15 @@ std::string units_in_words(const Arguments<formula>& arguments)
     const FormulaQuantities& of = formula_quantities[static_cast<unsigned>(f)];
     const auto result = std::apply(formula, arguments);
     const auto& plain = comparable(result);
-    const Components before = components(plain);
-    const std::tuple<std::string, std::string, Dimension> units[] = {
-        {"masses", "a mass", {2, 0, 0}},
-        {"lengths", "a length", {0, 2, 0}},
-        {"times", "a time", {0, 0, 2}}};
     std::string text;
-    for (const auto& [all, one, unit] : units) {
-        const Change c = {unit};
+    for (const Unit& unit : units) {
+        const Change c = {unit.change};
         Arguments<formula> larger = arguments;
         change_arguments(larger, of, c);
-        const Components wanted = components(comparable(changed(result, of.result, c))),
-                         found = components(comparable(std::apply(formula, larger)));
-        if (found.numbers.size() != before.numbers.size()) {
-            text += fmt::format("when all {} grow 4-fold, the number of values changes; ", all);
-            continue;
-        }
-        for (std::size_t i = 0; i < before.numbers.size(); ++i) {
-            const double old = before.numbers[i], should = wanted.numbers[i] / old,
-                         is = found.numbers[i] / old;
-            if (!(std::abs(old) > 1e-9) || std::abs(is - should) <= 1e-6 * std::abs(should))
-                continue;
-            const double missing = std::log2(should / is) / 2;
-            const bool is_power = std::abs(missing - std::round(missing)) < 1e-6;
-            const std::string place = component_name(plain, i);
-            text += fmt::format("when all {} grow 4-fold, {} must {}; yours would {}: ", all,
-                                place.empty() ? "the result" : place, growth(should), growth(is));
-            text += is_power ? fmt::format("{} to the power {:.0f} is missing; ", one, missing)
-                             : "a number in the formula has a unit, such as an absolute "
-                               "threshold; ";
-            break;
-        }
+        text += growth_in_words(unit, components(plain).numbers,
+                                components(comparable(changed(result, of.result, c))).numbers,
+                                components(comparable(std::apply(formula, larger))).numbers,
+                                [&](std::size_t i) { return component_name(plain, i); });
     }
     return text.empty() ? "the result depends on the units: a number in the formula has a unit, "
                           "such as an absolute threshold"
@@ -107,12 +121,12 @@ template <FormulaIndex f, auto& formula> void check_units()
         const auto& should = comparable(expected);
         const auto& is = comparable(found);
         const Tolerance tolerance = universal(should);
-        const bool is_wrong = compare(is, should, tolerance).kind != Difference::none;
-        const std::string words = is_wrong ? units_in_words<f, formula>(arguments) : "";
-        INFO(words);
-        INFO(fmt::format("masses are 2^{} times as large, lengths 2^{}, times 2^{}", c.units.mass,
-                         c.units.length, c.units.time));
-        REQUIRE_THAT(is, IsClose(should, tolerance));
+        if (are_close(components(is), components(should), tolerance)) continue;
+        require_close(
+            is, should, tolerance,
+            fmt::format("{}; here masses are 2^{} times as large, lengths 2^{}, times 2^{}",
+                        units_in_words<f, formula>(arguments), c.units.mass, c.units.length,
+                        c.units.time));
     }
 }
 

@@ -64,13 +64,13 @@ template <FormulaIndex f, auto& formula> void check_zeros()
         choose_as(mixed, expected, result);
 
         const auto& should = comparable(expected);
-        INFO("the expected value is the formula's own answer where all zeros are positive");
-        {
-            INFO("all zeros of the arguments are negative, -0");
-            REQUIRE_THAT(comparable(negative), IsClose(should, universal(should)));
-        }
-        INFO("some zeros of the arguments are negative, -0");
-        REQUIRE_THAT(comparable(mixed), IsClose(should, universal(should)));
+        const Tolerance tolerance = universal(should);
+        require_close(comparable(negative), should, tolerance,
+                      "all zeros of the arguments are negative, -0; the expected value is the "
+                      "formula's own answer where they are positive");
+        require_close(comparable(mixed), should, tolerance,
+                      "some zeros of the arguments are negative, -0; the expected value is the "
+                      "formula's own answer where all are positive");
     }
 }
 

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// A7.5 to A7.7: meshes whose vertices stand at random places in a long list, where keys made of
+// several indices may be the same for different faces or edges.
+#include "fracture_laws.hpp"
+#include "support/in_words.hpp"
+#include "virtual_nodes_laws.hpp"
+
+namespace rigor::testing::fracture_scattered_test {
+
+namespace {
+
+// The mesh with its vertices at random places in a list of `count`; the others are unused.
+TetrahedralMesh scattered(const TetrahedralMesh& mesh, int count, Random& random)
+{
+    TetrahedralMesh result = {
+        std::vector<Vector3d>(static_cast<std::size_t>(count), Vector3d(7, 7, 7)), mesh.tetrahedra};
+    const std::vector<int> place = permutation(random, static_cast<std::size_t>(count));
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+        result.vertices[place[v]] = mesh.vertices[v];
+    for (Tetrahedron& t : result.tetrahedra)
+        for (int& corner : t)
+            corner = place[corner];
+    return result;
+}
+
+// Numbers of vertices. If indices are added up with such a number as the factor between them, the
+// sums leave 32 bits, and the first index of a face counts little or nothing in the rest.
+constexpr int vertex_counts[] = {128, 256, 1000, 1024, 1 << 13, 1 << 15, 1 << 16, 1 << 20};
+
+} // namespace
+
+TEST_CASE("fracture: along faces a mesh scattered among many vertices", "[A7.5][fracture]")
+{
+    const TetrahedralMesh cube = block(3, 3, 3);
+    for (const int count : vertex_counts)
+        for (Random random : seeds(3)) {
+            CAPTURE(count);
+            const TetrahedralMesh mesh = scattered(cube, count, random);
+            for (const double x : {1.0, 9.0}) { // across the cube, and nowhere
+                const auto at = [x](const Vector3d& p) { return p.x() == x; };
+                const SplitMesh result = split_along_faces(mesh, faces_where(mesh, at));
+                check_count(vertex_count(result.mesh), count + (x == 1 ? 16 : 0), "vertices");
+                check_count(piece_count(result.mesh), x == 1 ? 2 : 1, "pieces");
+            }
+        }
+}
+
+TEST_CASE("fracture: along faces a mesh in which many faces meet", "[A7.5][fracture]")
+{
+    for (const int count : vertex_counts)
+        for (Random random : seeds(3)) {
+            CAPTURE(count);
+            const TetrahedralMesh mesh = scattered(block(3, 3, 3), count, random);
+            std::vector<MeshFace> faces;
+            for (int n = 0; n < 40; ++n)
+                faces.push_back(
+                    {random_index(random, mesh.tetrahedra.size()), random_index(random, 4)});
+            check_definition(mesh, faces, split_along_faces(mesh, faces));
+        }
+}
+
+TEST_CASE("fracture: through elements a mesh scattered among many vertices", "[A7.6][fracture]")
+{
+    const TetrahedralMesh cube = block(2, 2, 2);
+    const Vector3d middle(1, 1, 1), normal = Vector3d(1, 0.3, -0.2).normalized();
+    const auto counts = [&](const TetrahedralMesh& mesh) {
+        int vertex = 0;
+        while (mesh.vertices[vertex] != middle)
+            ++vertex;
+        const SplitMesh result = split_element(mesh, vertex, normal);
+        return std::array{vertex_count(result.mesh) - vertex_count(mesh),
+                          tetrahedron_count(result.mesh), piece_count(result.mesh)};
+    };
+    const auto expected = counts(cube);
+    for (const int count : vertex_counts)
+        for (Random random : seeds(3)) {
+            CAPTURE(count);
+            const auto found = counts(scattered(cube, count, random));
+            check_count(found[0], expected[0], "new vertices, as where none is unused");
+            check_count(found[1], expected[1], "tetrahedra, as where no vertex is unused");
+            check_count(found[2], expected[2], "pieces, as where no vertex is unused");
+        }
+}
+
+TEST_CASE("fracture: with virtual nodes a mesh scattered among many vertices", "[A7.7][fracture]")
+{
+    const TetrahedralMesh cube = block(3, 3, 3);
+    for (const int count : vertex_counts)
+        for (Random random : seeds(3)) {
+            CAPTURE(count);
+            const TetrahedralMesh mesh = scattered(cube, count, random);
+            const EmbeddedMesh result = virtual_nodes(
+                mesh, plane_through(mesh, {1.4, 1.5, 1.6}, Vector3d(1, 0.3, -0.2).normalized()));
+            check_count(piece_count(result.mesh), 2, "pieces");
+            check_count(
+                vertex_count(result.mesh) - count,
+                vertex_count(virtual_nodes(cube, plane_through(cube, {1.4, 1.5, 1.6},
+                                                               Vector3d(1, 0.3, -0.2).normalized()))
+                                 .mesh) -
+                    vertex_count(cube),
+                "new vertices, as where none is unused");
+        }
+}
+
+} // namespace rigor::testing::fracture_scattered_test
