@@ -99,6 +99,26 @@ std::string why_it_ended(const ConfinedRun& run, const std::string& file, const 
     return errors.empty() ? file + ": does not compile\n" : errors;
 }
 
+// Makes inline functions and templates private to an object: two topics may define a helper of the
+// same name in two ways, and the linker would take one of them for both. @return the new object,
+// beside the old one; empty if this fails
+fs::path own_copies(const fs::path& object, const std::vector<std::string>& shared)
+{
+    if (shared.empty()) return object;
+    const fs::path out = object.parent_path(), list = out / "shared.names";
+    std::ofstream(list) << fmt::format("{}\n", fmt::join(shared, "\n"));
+    const fs::path single = out / "single.o", weak = out / "weak.o", own = out / "own.o";
+    // Without groups the linker has no reason to leave out what another object has too. A name that
+    // must be unique in a process (GNU unique) becomes local only if it is made weak first.
+    const std::vector<std::string> steps[] = {
+        {"/usr/bin/ld.bfd", "-r", "--force-group-allocation", "-o", single, object},
+        {"/usr/bin/objcopy", "--weaken-symbols=" + list.string(), single, weak},
+        {"/usr/bin/objcopy", "--localize-symbols=" + list.string(), weak, own}};
+    for (const std::vector<std::string>& step : steps)
+        if (!run_tool({step, out, {out}, out}).ok()) return {};
+    return own;
+}
+
 } // namespace
 
 bool KeyFile::holds(std::uint64_t key) const
@@ -209,8 +229,13 @@ void CompiledFolder::compile_topic(const std::string& topic, CompiledTopic& comp
                                       file, printable(line));
         return;
     }
-    take_over(object, compiled.object);
     compiled.symbols = parse_symbols(names.output);
+    const fs::path own = own_copies(object, compiled.symbols.shared);
+    if (own.empty()) {
+        compiled.errors = file + ": its inline functions cannot be kept apart from other files'\n";
+        return;
+    }
+    take_over(own, compiled.object);
     key_of(topic).write(compiled.key, lines_of(names.output));
 }
 

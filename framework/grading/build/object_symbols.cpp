@@ -73,7 +73,9 @@ ObjectSymbols parse_symbols(const std::string& listing)
         };
         if (kind == 'U')
             symbols.undefined.insert(name);
-        else if (is_one_of("TDBRCGSAi") || (is_one_of("WVu") && !is_shared(name)))
+        else if (is_one_of("WVu") && is_shared(name) && formula_of(name) == nullptr)
+            symbols.shared.push_back(name);
+        else if (is_one_of("TDBRCGSAiWVu"))
             symbols.defined.insert(name);
     }
     return symbols;

@@ -11,10 +11,11 @@ namespace rigor {
 
 /// The names of one object, as the linker sees them.
 struct ObjectSymbols {
-    /// Defined here, and visible to other objects. Weak names that objects share, such as those of
-    /// inline functions, are left out.
-    std::set<std::string> defined;
+    std::set<std::string> defined;   // defined here, and visible to other objects
     std::set<std::string> undefined; // used but not defined
+    /// Weak names that any object may define, and which a linker takes from one of them: those of
+    /// inline functions and templates. In two topics they may differ.
+    std::vector<std::string> shared;
 };
 
 /// Parses what `nm -P` prints about one object.

@@ -6,6 +6,7 @@
 #include "errors/utf8.hpp"
 #include "grading/intake/plain_file.hpp"
 #include "grading/intake/refused.hpp"
+#include "grading/places.hpp"
 #include "grading/topics.hpp"
 #include "seeds/drawn_seed.hpp"
 
@@ -104,7 +105,8 @@ private:
     std::string digests_; // the SHA-256 of each name and text; all have the same length
 };
 
-// The names of the submission's sources that are no topic's file, sorted.
+// The names of the submission's sources that are no topic's file and no header of the framework,
+// sorted.
 std::vector<fs::path> other_sources(const fs::path& folder)
 {
     const std::vector<std::string> all = topics();
@@ -115,9 +117,12 @@ std::vector<fs::path> other_sources(const fs::path& folder)
          !error && entry != end && found.size() < most_files; entry.increment(error)) {
         if (entry.depth() >= deepest) entry.disable_recursion_pending();
         const fs::path name = entry->path().lexically_relative(folder);
+        // an older or a changed header of the framework, which would be found before its own
+        const bool is_framework = fs::exists(places().source / "framework" / name);
         const bool is_topic = !name.has_parent_path() && name.extension() == ".cpp" &&
                               std::find(all.begin(), all.end(), name.stem()) != all.end();
-        if (!is_topic && is_code(name) && is_plain_utf8(name.string())) found.push_back(name);
+        if (!is_topic && !is_framework && is_code(name) && is_plain_utf8(name.string()))
+            found.push_back(name);
     }
     std::sort(found.begin(), found.end());
     return found;

@@ -288,6 +288,35 @@ TEST_CASE("submission: helpers of one name and a main of its own cost nothing", 
     REQUIRE(checked.status == 0);
 }
 
+TEST_CASE("submission: inline functions of one name in two files cost nothing", "[cli][submission]")
+{
+    const TemporaryFolder folder;
+    const auto factor = [](const char* value) {
+        return std::string("namespace rigor {\nstruct Factor {\n"
+                           "    [[gnu::noinline]] static double of(double x) { return ") +
+               value +
+               " * x; }\n};\n"
+               "[[gnu::noinline]] inline double square(double x) { return Factor::of(x) * x / " +
+               value + "; }\n";
+    };
+    folder.write("pipeline.cpp",
+                 "#include \"formulas/pipeline.hpp\"\n" + factor("0.5") +
+                     "double kinetic_energy(double m, const Vector3d& v, const "
+                     "Matrix3d& I, const Vector3d& w)\n"
+                     "{\n    return Factor::of(m * v.squaredNorm() + w.dot(I * w));\n"
+                     "}\n}\n");
+    folder.write("inertia.cpp",
+                 "#include \"formulas/inertia.hpp\"\n" + factor("0.4") +
+                     "MassProperties solid_sphere(double density, double r)\n{\n"
+                     "    const double M = density * 4 / 3 * 3.14159265358979323846 * r * r * r;\n"
+                     "    return {M, Vector3d::Zero(), Factor::of(M * square(r)) * "
+                     "Matrix3d::Identity()};\n}\n}\n");
+    for (const char* tag : {"A0.1", "A2.6"}) {
+        CAPTURE(tag);
+        REQUIRE(not_passed(check({tag}, folder.path()).result) == Statuses());
+    }
+}
+
 TEST_CASE("submission: a name that is defined nowhere costs those who call it", "[cli][submission]")
 {
     const TemporaryFolder folder;

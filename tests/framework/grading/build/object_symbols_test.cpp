@@ -30,6 +30,12 @@ TEST_CASE("object symbols: strong definitions and uses are told apart", "[build]
                 "_ZNSt6vectorIdSaIdEE9push_backEOd W 0 1\n_ZZ1fvE1x u 0 4\n"
                 "DW.ref.__gxx_personality_v0 V 0 8\n__clang_call_terminate W 0 1\n");
     REQUIRE(weak.defined == std::set<std::string>{"malloc", "_Znwm", "_ZdlPv", "main", "memcpy"});
+    REQUIRE(weak.shared == std::vector<std::string>{"_ZNSt6vectorIdSaIdEE9push_backEOd",
+                                                    "_ZZ1fvE1x", "DW.ref.__gxx_personality_v0",
+                                                    "__clang_call_terminate"});
+    // a formula may be inline, but it is defined
+    REQUIRE(symbols(normalized + " W 0 1\n").defined == std::set<std::string>{normalized});
+    REQUIRE(symbols(normalized + " W 0 1\n").shared.empty());
     REQUIRE(symbols("").defined.empty());
     REQUIRE(symbols("/usr/bin/nm: x: file format not recognized\n").undefined.empty());
 }

@@ -53,6 +53,16 @@ TEST_CASE("submission files: topics and headers are taken, the rest is not", "[b
     REQUIRE(intake.take().hash != before);
 }
 
+TEST_CASE("submission files: the framework's own headers are not taken", "[build]")
+{
+    const Intake intake;
+    intake.folder.write("inertia.cpp", "int a;\n");
+    for (const char* name : {"formulas/types.hpp", "formulas/rotation.hpp", "formulas/own.hpp"})
+        intake.folder.write(name, "int b;\n");
+    intake.take();
+    REQUIRE(intake.copied() == std::vector<std::string>{"formulas/own.hpp", "inertia.cpp"});
+}
+
 TEST_CASE("submission files: what is no file is refused in a line, without waiting", "[build]")
 {
     const Intake intake;
