@@ -141,7 +141,9 @@ struct HandleDraft {
 constexpr Key<HandleDraft> handle_keys[] = {
     {"region", "needed: its nodes are those in this box",
      [](HandleDraft& d, const Value& v) { d.region = &v; }},
-    {"axes", "which of \"x\", \"y\" and \"z\" it holds, a list, default all; the rest is free",
+    {"axes",
+     "which of \"x\", \"y\" and \"z\" of world space it holds, a list, default all; the rest is "
+     "free",
      [](HandleDraft& d, const Value& v) { d.handle.axes = read_axes(v); }},
     {"path", "a list of moments; from 0 s to the first and between two of them it moves evenly",
      [](HandleDraft& d, const Value& v) { d.handle.path = read_path(v); }},
@@ -159,7 +161,7 @@ struct LoadDraft {
 constexpr Key<LoadDraft> load_keys[] = {
     {"region", "needed: on the nodes in this box",
      [](LoadDraft& d, const Value& v) { d.region = &v; }},
-    {"force", "needed: the sum over the nodes, in world space [N]",
+    {"force", "needed: the sum over the nodes, which have equal shares of it, in world space [N]",
      [](LoadDraft& d, const Value& v) {
          d.force = &v;
          d.load.force = vector3(v);

@@ -14,6 +14,7 @@
 #include "rigid/step/impact.hpp"
 #include "rigid/step/substeps/end_of_sliding.hpp"
 #include "rigid/step/substeps/island_world.hpp"
+#include "rigid/step/substeps/passed_contact.hpp"
 #include "rigid/step/substeps/rim_contact.hpp"
 
 #include <algorithm>
@@ -280,8 +281,19 @@ Division division_of(const World& world, const ContactProblem& problem, const Is
     const double h = problem.time_step;
     const bool is_pulled =
         std::any_of(island.bodies.begin(), island.bodies.end(), [&](int i) { return pulled[i]; });
+    const auto is_any = [&](const auto& condition) {
+        return std::any_of(island.pairs.begin(), island.pairs.end(), condition);
+    };
+    // A contact that forces press together must not lose its load to a very short part.
+    const auto is_pressed = [&](const ContactPair& pair) {
+        return is_pulled && carries_load(problem, pair) && !bounced(problem, pair);
+    };
+    const bool may_pass = island.bodies.size() <= few_bodies && !is_any(is_pressed);
+    const double passed = may_pass ? closing_of_passed_contact(world, problem, island) : h;
     Division division;
-    if (is_pulled)
+    if (passed < h)
+        division = {passed + alone_in_step * h, Division::At::event, false, passed > apart * h};
+    else if (is_pulled)
         division = first_impact_under_forces(world, problem, island);
     else if (island.lands_at > apart * h)
         division = {just_before * island.lands_at, Division::At::event, true};
@@ -294,9 +306,6 @@ Division division_of(const World& world, const ContactProblem& problem, const Is
     if (is_at_limit) return division.is_apart && !is_again ? division : Division();
     if (division.time > 0) return division;
 
-    const auto is_any = [&](const auto& condition) {
-        return std::any_of(island.pairs.begin(), island.pairs.end(), condition);
-    };
     const auto in_air = [&](const ContactPair& pair) {
         return is_lone(problem, island, pair) && bounced_in_air(world, problem, pair);
     };

@@ -49,14 +49,17 @@ using StepOfPart = std::function<std::vector<ContactRecord>(World& world, double
 ///    in the middle.
 /// 10. In an island of a single body, a contact runs far round the rim of this body
 ///     (rim_contact.hpp). The step is divided in the middle.
+/// 11. In an island of at most `few_bodies` bodies, a body would pass a contact, since it bounces
+///     off another body that it meets later (passed_contact.hpp). The step is divided just after
+///     the contact that it meets first, unless forces press other contacts together.
 ///
 /// In cases 2 and 3, a bounce does not count if `bounce_at_impacts` (impact.hpp) has already moved
 /// it to its time of impact.
 ///
 /// An island is refined only if it has at most `most_refined` bodies (overlap_depth.hpp). If
-/// springs, applied forces or drag act on it, only the cases 5 to 7 count. Bodies that springs
-/// connect with it move with it; it is not refined if one of them is in another island or may touch
-/// one, or if a deformable solid presses on one of them.
+/// springs, applied forces or drag act on it, only the cases 5 to 7 and 11 count. Bodies that
+/// springs connect with it move with it; it is not refined if one of them is in another island or
+/// may touch one, or if a deformable solid presses on one of them.
 ///
 /// @param world    only its counters change
 /// @param problem  the impulses of repeated islands are set to zero in it
