@@ -24,6 +24,11 @@ namespace rigor {
 /// - The island is a single body that touches several static or driven bodies.
 /// - The masses of its bodies are very different, and the sweeps have ended far from the solution.
 ///
+/// Where sweeps that have not converged end far from the law of contact (far_from_law.hpp), they
+/// start again from zero impulses, and a result of Newton's method that is far from it is not used.
+/// In a jam, where no motion obeys the law, only few sweeps are done, so that driven bodies may
+/// press themselves into others, but do not shoot them away.
+///
 /// @param active  indices in `problem.contacts`, at least one
 void solve_island(ContactProblem& problem, const Island& island, std::span<const int> active);
 
