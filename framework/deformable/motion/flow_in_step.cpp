@@ -173,7 +173,7 @@ void FlowInStep::apply(VelocitySystem& s)
     if (is_first_) elastic_momenta_ = s.momenta;
     s.momenta = elastic_momenta_;
     const double h = time_step_;
-    s.system.assemble(work_->elements, work_->strains, solid_->masses, solid_->material, h);
+    s.assemble_matrix(*solid_, *work_, h);
     for (const ElementFlow& f : flows_) {
         const ElementStrain& strain = work_->strains[f.element];
         s.system.soften(work_->elements, strain.R, f, h * h * 2 * G_);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Moves the nodes of a solid by one step of backward Euler, linearized at the start of the step
 // with constant rotations of the elements (Baraff and Witkin 1998, "Large steps in cloth
-// simulation"; Müller and Gross 2004). First restitution acts on the velocities. Then the linear
-// system is solved, in a limited number of rounds, until neither the contacts nor the plastic flow
-// change. Last, the impulses are applied to the rigid bodies and the nodes move with their new
-// velocities.
+// simulation"; Müller and Gross 2004), unless tension is large (tension.hpp). First restitution
+// acts on the velocities. Then the linear system is solved, in a limited number of rounds, until
+// neither the contacts nor the plastic flow change. Last, the impulses are applied to the rigid
+// bodies and the nodes move with their new velocities.
 #include "deformable/motion/implicit_motion.hpp"
 
 #include "deformable/contact/node_collisions.hpp"
@@ -37,7 +37,7 @@ void assemble_system(const NodeMotion& motion)
     std::fill(work.forces.begin(), work.forces.end(), Vector3d::Zero());
     work.elements.add_elastic_forces(solid.positions, work.forces);
     add_loads(solid, motion.gravity, motion.start, work.forces);
-    work.velocity_system.assemble(solid, work, work.forces, motion.time_step);
+    work.velocity_system.assemble(solid, work, work.held, work.forces, motion.time_step);
 }
 
 // An open part is a connected piece of the solid that the next solve includes, and a joined body is

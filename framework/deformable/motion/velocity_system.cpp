@@ -19,15 +19,25 @@ constexpr double most_turn = 0.2;
 } // namespace
 
 void VelocitySystem::assemble(const Deformable& solid, const ElementWorkspace& elements,
+                              const std::vector<HeldNode>& held,
                               const std::vector<Vector3d>& forces, double time_step)
 {
     if (!system.is_analysed())
         system.analyse(elements.elements, static_cast<int>(solid.positions.size()));
-    system.assemble(elements.elements, elements.strains, solid.masses, solid.material, time_step);
+    tension.find(solid, elements, system.matrix(), held, time_step);
+    assemble_matrix(solid, elements, time_step);
     momenta.resize(forces.size());
     for (std::size_t i = 0; i < forces.size(); ++i)
         momenta[i] = solid.masses[i] * solid.velocities[i] + time_step * forces[i];
     velocities = solid.velocities;
+}
+
+void VelocitySystem::assemble_matrix(const Deformable& solid, const ElementWorkspace& elements,
+                                     double time_step)
+{
+    system.assemble(elements.elements, elements.strains, solid.masses, solid.material, time_step);
+    for (const TurnStiffness& term : tension.terms())
+        system.stiffen(elements.elements, term, time_step);
 }
 
 void VelocitySystem::restore_momenta(const Deformable& solid, const std::vector<HeldNode>& held,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "deformable/elasticity/element_workspace.hpp"
-#include "deformable/solid/handles.hpp"
+#include "deformable/motion/tension.hpp"
 #include "deformable/solvers/implicit_system.hpp"
 
 namespace rigor {
@@ -13,9 +13,11 @@ struct VelocitySystem {
     /// Assembles A and b = M v₀ + h f(x₀), and starts v from v₀.
     ///
     /// @param elements  contains the strains at the start of the step
+    /// @param held      the nodes that handles hold
     /// @param forces    sum of elastic forces, loads and gravity on each node [N]
     void assemble(const Deformable& solid, const ElementWorkspace& elements,
-                  const std::vector<Vector3d>& forces, double time_step);
+                  const std::vector<HeldNode>& held, const std::vector<Vector3d>& forces,
+                  double time_step);
 
     /// Restores the exact momentum and angular momentum of each free part: a connected piece of the
     /// solid that neither handles nor contacts hold. Conjugate gradients conserve the momentum only
@@ -32,7 +34,12 @@ struct VelocitySystem {
     /// 0 for other nodes [m]. Known after `restore_momenta`.
     const Vector3d& shift(int node) const { return parts_[system.matrix().part_of(node)].shift; }
 
+    /// Computes A again as `assemble` did, without plastic flow.
+    void assemble_matrix(const Deformable& solid, const ElementWorkspace& elements,
+                         double time_step);
+
     ImplicitSystem system;
+    Tension tension;                  // its terms are in A
     std::vector<Vector3d> momenta;    // b for each node [N s]
     std::vector<Vector3d> velocities; // v for each node [m/s]
     std::vector<TiedNode> ties;       // the prescribed velocities of nodes in the latest solve

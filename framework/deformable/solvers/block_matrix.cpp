@@ -139,6 +139,17 @@ void BlockMatrix::soften(const Elements& elements, const Matrix3d& R, const Elem
         }
 }
 
+void BlockMatrix::stiffen(const Elements& elements, const TurnStiffness& term, double time_step)
+{
+    const auto t = elements.nodes(term.element);
+    for (int i = 0, k = 0; i < 4; ++i)
+        for (int j = i; j < 4; ++j, ++k) {
+            const int low = t[i] <= t[j] ? i : j, high = t[i] <= t[j] ? j : i;
+            blocks_[places_[term.element][k]] +=
+                time_step * time_step * term.c[low] * term.c[high].transpose();
+        }
+}
+
 double BlockMatrix::quadratic_form(const Vectors& x) const
 {
     double sum = 0;

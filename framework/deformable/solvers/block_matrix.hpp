@@ -4,6 +4,7 @@
 
 #include "deformable/elasticity/element_flow.hpp"
 #include "deformable/elasticity/elements.hpp"
+#include "deformable/elasticity/turn_stiffness.hpp"
 
 namespace rigor {
 
@@ -15,8 +16,8 @@ public:
     /// Finds which blocks the matrix has. This is needed once for each mesh.
     void analyse(const Elements& elements, int nodes);
 
-    /// Computes the blocks, without plastic flow. This is needed at the start of each step, and
-    /// again before each series of calls of `soften`.
+    /// Computes the blocks, without plastic flow and tension. This is needed at the start of each
+    /// step, and again before each series of calls of `soften`.
     void assemble(const Elements& elements, const std::vector<ElementStrain>& strains,
                   const std::vector<double>& masses, const SolidMaterial& material,
                   double time_step);
@@ -29,6 +30,9 @@ public:
     /// @param factor  c = 2 G h² [Pa s²]
     void soften(const Elements& elements, const Matrix3d& R, const ElementFlow& flow,
                 double factor);
+
+    /// Adds a term of the geometric stiffness of an element: A_ij += h² cᵢ cⱼᵀ.
+    void stiffen(const Elements& elements, const TurnStiffness& term, double time_step);
 
     /// xᵀ A x
     double quadratic_form(const std::vector<Vector3d>& x) const;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The linear system of backward Euler:
 //
-//     A v = b,   A = (1 + α h) M + h (h + β) K,   b = M v₀ + h f(x₀)
+//     A v = b,   A = (1 + α h) M + h (h + β) K + h² K_g,   b = M v₀ + h f(x₀)
 //
 // M contains the masses, α is the drag, β the damping and h the time step. K is the sum of the
-// stiffnesses R K_rest Rᵀ of the elements, with their rotations R at the start of the step. f is
-// the sum of elastic forces, gravity and loads. Some coordinates are not unknowns: a handle
-// prescribes them, or a contact ties them to a rigid body. A rigid body that has joined the system
+// stiffnesses R K_rest Rᵀ of the elements, with their rotations R at the start of the step. K_g is
+// their geometric stiffness, as far as tension makes it necessary (motion/tension.hpp). f is the
+// sum of elastic forces, gravity and loads. Some coordinates are not unknowns: a handle prescribes
+// them, or a contact ties them to a rigid body. A rigid body that has joined the system
 // (motion/joined_bodies.hpp) has six unknowns of its own.
 #pragma once
 
@@ -24,8 +25,8 @@ public:
     void analyse(const Elements& elements, int nodes);
     bool is_analysed() const { return matrix_.nodes() > 0; }
 
-    /// Computes the blocks, without plastic flow. This is needed at the start of each step, and
-    /// again before each series of calls of `soften`.
+    /// Computes the blocks, without plastic flow and tension. This is needed at the start of each
+    /// step, and again before each series of calls of `soften`.
     void assemble(const Elements& elements, const std::vector<ElementStrain>& strains,
                   const std::vector<double>& masses, const SolidMaterial& material,
                   double time_step)
@@ -36,6 +37,11 @@ public:
     void soften(const Elements& elements, const Matrix3d& R, const ElementFlow& flow, double factor)
     {
         matrix_.soften(elements, R, flow, factor);
+    }
+    /// Adds a term of the geometric stiffness, see `BlockMatrix::stiffen`.
+    void stiffen(const Elements& elements, const TurnStiffness& term, double time_step)
+    {
+        matrix_.stiffen(elements, term, time_step);
     }
     const BlockMatrix& matrix() const { return matrix_; }
 
