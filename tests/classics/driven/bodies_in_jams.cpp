@@ -47,7 +47,7 @@ const Shape& gear_of(int teeth)
 
 struct Train {
     int teeth1 = 12, teeth2 = 36;
-    double stiffness = 0;    // of the spring that holds the axle of gear 2 [N/m]
+    double stiffness = 0;    // spring that holds the axle of gear 2 [N/m]
     bool has_bearing = true; // whether gear 2 can turn about its axle only
     double friction = 0;
 };
@@ -100,9 +100,8 @@ TEST_CASE("classics: gears in mesh do not outrun the gear that drives them", "[c
 TEST_CASE("classics: a mesh that a plate presses to a smooth floor is not shot out", "[classics]")
 {
     Sweep sweep;
-    // Times the speed of the plate and of the correction of penetration. The normals of a mesh are
-    // off by up to 2°, so that the plates are a wedge which drives the mesh out with some times
-    // their speed.
+    // Times the speed of the plate and the speed that corrects penetration. The normals of a mesh
+    // have errors up to 2°, so that the plates are a wedge that drives the mesh out.
     constexpr double most = 25;
     constexpr double correction = 0.1; // in a world without gravity [m/s]
     const std::vector<std::pair<const char*, Shape>> shapes = {

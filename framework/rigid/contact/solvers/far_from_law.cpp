@@ -16,7 +16,7 @@ namespace {
 // planes that close in on a body at the angle α drive it out with 1/tan α times their speed, 5
 // times at 11°. A mesh between parallel planes should stay, but its normals are off by up to 2°.
 // Where the bodies may rest, impulses lose energy, but a body that flies past may have much more
-// of it than its approach shows; so a is the highest speed. Chosen by trial; tests/classics has
+// energy than its approach shows; so a is the highest speed. Chosen by trial; tests/classics has
 // gears, and meshes between plates, and the toy box of assignment A5 must not get here.
 constexpr double most_if_pushed = 5, most_if_resting = 10;
 

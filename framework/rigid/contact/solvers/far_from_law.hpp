@@ -7,8 +7,8 @@ namespace rigor {
 
 /// Whether the impulses of an island are far from the law of contact: whether they change the
 /// velocities far more than was to be expected, or show that the law needs such a change. In a jam,
-/// where driven bodies close in on a body between them, no motion obeys the law, and the impulses
-/// of methods that converge elsewhere grow without end.
+/// where driven bodies close in on a body between them, no motion obeys the law. There the impulses
+/// grow without end, also by methods that converge elsewhere.
 ///
 /// The impulses j change the velocities by Δv = M⁻¹ Jᵀ j (M: mass matrix, J v: relative velocities
 /// at the contacts). Let v be the velocities after that, s the target speeds, and |Δv|² = Δvᵀ M Δv.

@@ -12,7 +12,7 @@ using namespace rigor::testing;
 
 namespace {
 
-constexpr double mass = 3; // of the ball [kg]
+constexpr double mass = 3; // mass of the ball [kg]
 
 // Whether these impulses are far from the law of contact, if they are applied.
 bool is_far(HandMade& problem, const std::vector<Vector3d>& impulses)
