@@ -46,12 +46,12 @@ public:
 private:
     // A connected piece of the solid.
     struct Part {
-        double mass = 0;                     // [kg]
-        Vector3d center = Vector3d::Zero();  // of mass; of the held nodes, if there are any [m]
-        int held_nodes = 0;                  // how many
+        double mass = 0;                    // [kg]
+        Vector3d center = Vector3d::Zero(); // the mean of the held nodes, or the center of mass [m]
+        int held_nodes = 0;                 // how many
         Matrix3d inertia = Matrix3d::Zero(); // about the center [kg m²]
         Matrix3d turn = Matrix3d::Zero();    // K_g of a turn of the whole part [N m]
-        double share = 1;                    // of the stress that may be left out
+        double share = 1;                    // the share of the stress that may be left out
     };
     void find_shares(const Deformable& solid, const ElementWorkspace& work,
                      const BlockMatrix& matrix, const std::vector<HeldNode>& held,
