@@ -100,14 +100,20 @@ TEST_CASE("collision: just outside of the cone it slides to another impulse", "[
 
 TEST_CASE("collision: bodies that only slide get no impulse", "[A4.9][collision]")
 {
-    // v·n is 0 or -0; the sticking impulse for these velocities would not be 0
+    // v·n is 0 or -0; the sticking impulse for these velocities would push or pull
+    const Vector3d normals[] = {{0, 1, 0}, {-0.0, 1, -0.0}, {0, -1, 0}, {-0.0, -1, -0.0}};
     for (const double x : {-1.0, 1.0})
-        for (const double y : {0.0, -0.0})
-            for (const double friction : {0.0, 0.5, 5.0}) {
-                CAPTURE(x, y, friction);
-                REQUIRE_THAT(collision_impulse(jamming_contact(), {x, y, x}, up, 0.5, friction),
-                             IsExactly(Vector3d(0, 0, 0)));
-            }
+        for (const double z : {-1.0, -2.0, 1.0, 2.0})
+            for (const double y : {0.0, -0.0})
+                for (const double friction : {0.0, 0.5, 5.0})
+                    for (const Vector3d& n : normals) {
+                        CAPTURE(x, y, z, friction, n);
+                        for (const Matrix3d& K :
+                             {jamming_contact(),
+                              Matrix3d(3 * Matrix3d::Ones() + Matrix3d::Identity())})
+                            REQUIRE_THAT(collision_impulse(K, {x, y, z}, n, 0.5, friction),
+                                         IsExactly(Vector3d(0, 0, 0)));
+                    }
 }
 
 } // namespace rigor::testing

@@ -102,4 +102,26 @@ TEST_CASE("fracture: with virtual nodes a mesh scattered among many vertices", "
         }
 }
 
+TEST_CASE("fracture: the cracks of an element may stand anywhere in the list", "[A7.7][fracture]")
+{
+    for (Random random : seeds(20)) {
+        const TetrahedralMesh mesh = jiggled(block(2, 1, 1), random);
+        Cracks grouped; // up to three of each tetrahedron
+        for (int t = 0; t < tetrahedron_count(mesh); ++t)
+            for (std::uint64_t n = random.bits() % 4; n > 0; --n)
+                grouped.push_back({t, center(mesh, t), random.unit_vector()});
+        // the same, the first ones of all tetrahedra before the second ones, and so on
+        Cracks by_rank;
+        for (int rank = 0; rank < 3; ++rank) {
+            std::vector<int> seen(mesh.tetrahedra.size(), 0);
+            for (const ElementCrack& crack : grouped)
+                if (seen[crack.tetrahedron]++ == rank) by_rank.push_back(crack);
+        }
+        const EmbeddedMesh one = embedded(mesh, grouped), two = embedded(mesh, by_rank);
+        REQUIRE_THAT(two.real, IsExactly(one.real));
+        check_count(vertex_count(two.mesh), vertex_count(one.mesh), "vertices");
+        check_shares(two, one.fractions, Rounding(16, 1));
+    }
+}
+
 } // namespace rigor::testing::fracture_scattered_test

@@ -111,6 +111,34 @@ TEST_CASE("inertia: two cells of different density", "[A2.11][inertia]")
     require_mass_properties(found, expected, 4, 8);
 }
 
+TEST_CASE("inertia: a grid may have gaps, and its cells may be in any order", "[A2.11][inertia]")
+{
+    // rows of cells along each axis, of which some are not listed
+    for (Random random : seeds(60)) {
+        const int axis = random_index(random, 3), n = 3 + random_index(random, 12);
+        const double h = 0.5;
+        std::vector<DensitySample> cells;
+        double mass = 0, first = 0, second = 0; // Σ m, Σ m s, Σ m s², where s is along the axis
+        for (int i = 0; i < n; ++i) {
+            if (random_index(random, 3) == 0) continue;
+            const double s = h * i;
+            cells.push_back({s * Vector3d::Unit(axis), 8});
+            mass += 1;
+            first += s;
+            second += s * s;
+        }
+        if (cells.empty()) continue;
+        if (n % 2 == 0) std::reverse(cells.begin(), cells.end());
+        const double across = second - first * first / mass;
+        Vector3d moments(across, across, across);
+        moments[axis] = 0;
+        const MassProperties expected{mass, first / mass * Vector3d::Unit(axis),
+                                      moments.asDiagonal()};
+        CAPTURE(axis, n, cells.size());
+        require_mass_properties(grid_mass_properties(cells, h), expected, h * n, 64);
+    }
+}
+
 TEST_CASE("inertia: a grid of nothing is nothing", "[A2.11][inertia]")
 {
     REQUIRE_THAT(grid_mass_properties({}, 0.1), IsExactly(MassProperties{}));

@@ -12,7 +12,7 @@
 namespace rigor::testing {
 
 constexpr int narrow = 0x100, wide = 0x10000; // the number of indices with 8 and 16 bits
-constexpr int long_list = 1'049'000;          // beyond a limit such as a million or 2^20
+constexpr int long_list = 1'048'583; // beyond a million and 2^20; no multiple of 2, 3, 4, 5, 7, 8
 
 /// The lengths from `least` on, up to about `most`.
 inline std::vector<int> lengths(int least, int most)
