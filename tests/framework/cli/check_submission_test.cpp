@@ -68,7 +68,7 @@ TEST_CASE("submission: a crash and an endless loop cost their own tasks only", "
 }
 
 TEST_CASE("submission: an error in an earlier assignment is paid for there alone",
-          "[cli][submission]")
+          "[.long][cli][submission]")
 {
     if (!std::filesystem::is_directory(std::string(RIGOR_SOURCE_DIR) + "/reference")) return;
     const TemporaryFolder folder;

@@ -49,7 +49,7 @@ private:
 
 } // namespace
 
-TEST_CASE("regrade: what changes is shown before it is written", "[cli][class]")
+TEST_CASE("regrade: what changes is shown before it is written", "[.long][cli][class]")
 {
     const Class some;
     const Run first = some.grade({});

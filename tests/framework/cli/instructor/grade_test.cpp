@@ -178,7 +178,7 @@ TEST_CASE("grade: a name that a file has while it is written costs its submissio
     CHECK(contains(text_in(folder.path() / "out/summary.txt"), "4 submissions: 1 graded"));
 }
 
-TEST_CASE("grade: a secret makes it worthless to know the cases", "[cli][class]")
+TEST_CASE("grade: a secret makes it worthless to know the cases", "[.long][cli][class]")
 {
     const TemporaryFolder submissions, results;
     const std::string secret = submissions.write("secret", "sixteen letters or more\n").string();
