@@ -105,17 +105,14 @@ std::string why_it_ended(const ConfinedRun& run, const std::string& file, const 
 fs::path own_copies(const fs::path& object, const std::vector<std::string>& shared)
 {
     if (shared.empty()) return object;
-    const fs::path out = object.parent_path(), list = out / "shared.names";
-    std::ofstream(list) << fmt::format("{}\n", fmt::join(shared, "\n"));
-    const fs::path single = out / "single.o", weak = out / "weak.o", own = out / "own.o";
-    // Without groups the linker has no reason to leave out what another object has too. A name that
-    // must be unique in a process (GNU unique) becomes local only if it is made weak first.
-    const std::vector<std::string> steps[] = {
-        {"/usr/bin/ld.bfd", "-r", "--force-group-allocation", "-o", single, object},
-        {"/usr/bin/objcopy", "--weaken-symbols=" + list.string(), single, weak},
-        {"/usr/bin/objcopy", "--localize-symbols=" + list.string(), weak, own}};
-    for (const std::vector<std::string>& step : steps)
-        if (!run_tool({step, out, {out}, out}).ok()) return {};
+    const fs::path out = object.parent_path(), single = out / "single.o", own = out / "own.o";
+    // Without groups the linker has no reason to leave out what another object has too.
+    const ConfinedRun ungrouped =
+        run_tool({{"/usr/bin/ld.bfd", "-r", "--force-group-allocation", "-o", single, object},
+                  out,
+                  {out},
+                  out});
+    if (!ungrouped.ok() || !make_local(single, shared, own).ok()) return {};
     return own;
 }
 

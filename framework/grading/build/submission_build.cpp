@@ -127,7 +127,8 @@ public:
             fs::path object = objects_.at(topic)->object;
             if (!hidden.empty()) {
                 const fs::path copy = out / (topic + ".o");
-                const ConfinedRun copied = hide(object, hidden, copy);
+                let_others_read(object);
+                const ConfinedRun copied = make_local(object, hidden, copy);
                 if (!copied.ok()) return {shown_errors(copied.output), {}};
                 object = copy;
             }
@@ -181,29 +182,6 @@ private:
         for (const auto& [topic, compiled] : objects_)
             hidden[topic]; // adds an empty entry if the object has no name to hide
         return hidden;
-    }
-
-    static ConfinedRun hide(const fs::path& object, const std::vector<std::string>& names,
-                            const fs::path& copy)
-    {
-        const fs::path list = copy.string() + ".names";
-        std::ofstream(list) << fmt::format("{}\n", fmt::join(names, "\n"));
-        const auto copied = [&](const std::string& option, const fs::path& from,
-                                const fs::path& to) {
-            let_others_read(from);
-            return run_tool(
-                {{"/usr/bin/objcopy", option + list.string(), from.string(), to.string()},
-                 copy.parent_path(),
-                 {from},
-                 copy.parent_path(),
-                 largest_output,
-                 link_limit});
-        };
-        // A name that must be unique in a process (GNU unique) becomes local only if it is made
-        // weak first.
-        const fs::path weak = copy.string() + ".weak";
-        const ConfinedRun weakened = copied("--weaken-symbols=", object, weak);
-        return weakened.ok() ? copied("--localize-symbols=", weak, copy) : weakened;
     }
 
     const Toolchain& tools_;

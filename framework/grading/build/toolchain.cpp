@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 #include <thread>
 #include <unistd.h>
@@ -210,6 +211,24 @@ ConfinedRun run_tool(const ToolRun& tool)
     RunLimits limits;
     limits.time = std::chrono::duration<double>(busy * tool.time);
     return run_confined(walls, tool.arguments, limits);
+}
+
+ConfinedRun make_local(const fs::path& object, const std::vector<std::string>& names,
+                       const fs::path& copy)
+{
+    const fs::path out = copy.parent_path(), list = copy.string() + ".names";
+    std::ofstream(list) << fmt::format("{}\n", fmt::join(names, "\n"));
+    const auto copied = [&](const std::string& option, const fs::path& from, const fs::path& to) {
+        return run_tool({{"/usr/bin/objcopy", option + list.string(), from.string(), to.string()},
+                         out,
+                         {from, out},
+                         out});
+    };
+    // A name that must be unique in a process (GNU unique) becomes local only if it is made weak
+    // first.
+    const fs::path weak = copy.string() + ".weak";
+    const ConfinedRun weakened = copied("--weaken-symbols=", object, weak);
+    return weakened.ok() ? copied("--localize-symbols=", weak, copy) : weakened;
 }
 
 std::string why_it_does_not_start(const fs::path& worker)

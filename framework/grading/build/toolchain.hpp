@@ -59,6 +59,10 @@ struct ToolRun {
 /// Runs a tool. @throws std::system_error if it cannot be started in the sandbox
 ConfinedRun run_tool(const ToolRun& tool);
 
+/// Copies an object to `copy`, whose folder is the tools' own, and makes these names local in it.
+ConfinedRun make_local(const std::filesystem::path& object, const std::vector<std::string>& names,
+                       const std::filesystem::path& copy);
+
 /// Why a worker does not reach its main function; empty if it does. Global objects are constructed
 /// before main, and a constructor in a student's file may fail.
 std::string why_it_does_not_start(const std::filesystem::path& worker);

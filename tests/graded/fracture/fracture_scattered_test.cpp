@@ -85,20 +85,18 @@ TEST_CASE("fracture: through elements a mesh scattered among many vertices", "[A
 TEST_CASE("fracture: with virtual nodes a mesh scattered among many vertices", "[A7.7][fracture]")
 {
     const TetrahedralMesh cube = block(3, 3, 3);
+    const auto cracked = [](const TetrahedralMesh& mesh) {
+        const Vector3d normal = Vector3d(1, 0.3, -0.2).normalized();
+        return virtual_nodes(mesh, plane_through(mesh, {1.4, 1.5, 1.6}, normal)).mesh;
+    };
+    const auto expected = vertex_count(cracked(cube)) - vertex_count(cube);
     for (const int count : vertex_counts)
         for (Random random : seeds(3)) {
             CAPTURE(count);
-            const TetrahedralMesh mesh = scattered(cube, count, random);
-            const EmbeddedMesh result = virtual_nodes(
-                mesh, plane_through(mesh, {1.4, 1.5, 1.6}, Vector3d(1, 0.3, -0.2).normalized()));
-            check_count(piece_count(result.mesh), 2, "pieces");
-            check_count(
-                vertex_count(result.mesh) - count,
-                vertex_count(virtual_nodes(cube, plane_through(cube, {1.4, 1.5, 1.6},
-                                                               Vector3d(1, 0.3, -0.2).normalized()))
-                                 .mesh) -
-                    vertex_count(cube),
-                "new vertices, as where none is unused");
+            const TetrahedralMesh result = cracked(scattered(cube, count, random));
+            check_count(piece_count(result), 2, "pieces");
+            check_count(vertex_count(result) - count, expected,
+                        "new vertices, as where none is unused");
         }
 }
 
