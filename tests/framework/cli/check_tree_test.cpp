@@ -47,8 +47,7 @@ TEST_CASE("tree: the reference has every point", "[cli][tree]")
     REQUIRE(checked.status == 0);
 }
 
-TEST_CASE("tree: every stub is not implemented and none fails or passes",
-          "[.long][cli][submission]")
+TEST_CASE("tree: every stub is not implemented and none fails or passes", "[cli][submission]")
 {
     if (!places().has_reference()) return; // this is a student's tree with a student's work
     const Checked checked = check({}, "student");
