@@ -119,8 +119,8 @@ void add_kinds(std::vector<HostileSubmission>& all, const std::string& solution)
                        write_file(place, "pipeline.hpp.gch", "gpch");
                        return write_file(place, "pipeline.cpp", solution);
                    }});
-    all.push_back({"kinds/own_contract",
-                   {0, {"compile_error", "failed"}, ""},
+    all.push_back({"kinds/own_contract", // a copy of the contract that is handed in is not taken
+                   {1, {"passed"}, ""},
                    [solution](const fs::path& folder) {
                        const fs::path place = folder / "own_contract";
                        write_file(place, "formulas/pipeline.hpp", "#error not this contract\n");
