@@ -59,9 +59,9 @@ std::vector<int> contact_levels(const std::vector<std::vector<int>>& rests_on,
 /// its velocity as if its mass and inertia were infinite. Contacts between two bodies of level 0
 /// are skipped.
 ///
-/// @param levels  one for each body, ≥ 0, such as `contact_levels` returns; there may be levels
-///                without a body between those of two bodies; a body of level 0 need not be a
-///                static body, and a static body may have a higher level
+/// @param levels  one for each body, from 0 to a million, such as `contact_levels` returns; there
+///                may be levels without a body between those of two bodies; a body of level 0 need
+///                not be a static body, and a static body may have a higher level
 /// @return  the bodies afterwards, each with its own mass and inertia again, and for each contact
 ///          the sum of its impulses on body 1, including those that a held body did not receive
 ContactResult shock_propagation(const std::vector<Body>& bodies,

@@ -30,25 +30,57 @@ Body any_body(Random& random)
     return body;
 }
 
+// Makes a contact a relative of another one, which has the same bodies: the same contact seen from
+// the other body, or one with another normal, or with its point on the opposite side of a body.
+BodyContact relative_of(BodyContact c, const Bodies& bodies, Random& random)
+{
+    switch (random.bits() % 4) {
+    case 0:
+        std::swap(c.body1, c.body2);
+        c.normal = -c.normal;
+        break;
+    case 1:
+        c.normal = random.bits() % 2 == 0 ? Vector3d(-c.normal) : random.unit_vector();
+        break;
+    case 2:
+        c.point = 2 * bodies[random.bits() % 2 == 0 ? c.body1 : c.body2].position - c.point;
+        break;
+    default:
+        break; // the same contact again
+    }
+    return c;
+}
+
+// A place whose coordinates are short numbers, so that their differences are exact.
+Vector3d short_numbers(const Vector3d& x)
+{
+    return (0x1p16 * x).array().round() / 0x1p16;
+}
+
 // Three to six bodies with two contacts for each of them, in every eighth case ten. Some of them
-// have the same depth, and some the same point. In half of the cases they are sorted by their
-// depths, up or down, where only equal depths show an order that is not that of the list.
+// have the same depth, and some the same point, and some are relatives of the one before them. In
+// half of the cases they are sorted by their depths, up or down, where only equal depths show an
+// order that is not that of the list.
 ContactCase any_case(Random& random)
 {
     ContactCase result;
     const std::size_t count = 3 + random.bits() % 4;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
         result.bodies.push_back(any_body(random));
+        result.bodies.back().position = short_numbers(result.bodies.back().position);
+    }
     const std::size_t contacts = (random.bits() % 8 == 0 ? 10 : 2) * count;
-    const Vector3d shared_point = random.vector();
+    const Vector3d shared_point = short_numbers(random.vector());
     for (std::size_t i = 0; i < contacts; ++i) {
         const int body1 = random_index(random, count);
         const int body2 = (body1 + 1 + random_index(random, count - 1)) % static_cast<int>(count);
-        BodyContact c = touch(body1, body2, random.uniform(-1, 1), random.vector());
+        BodyContact c = touch(body1, body2, random.uniform(-1, 1), short_numbers(random.vector()));
         if (random.bits() % 3 == 0) c.depth = std::round(2 * c.depth) / 2;
         if (random.bits() % 3 == 0) c.point = shared_point;
         c.normal = random.unit_vector();
         if (random.bits() % 3 != 0) c.separation_speed = random.uniform(-1, 1);
+        if (i > 0 && random.bits() % 3 == 0)
+            c = relative_of(result.contacts.back(), result.bodies, random);
         result.contacts.push_back(c);
     }
     const double up = static_cast<double>(random.bits() % 4) - 1; // -1, 0, 1 or 2

@@ -77,7 +77,7 @@ TEST_CASE("kinematics: particles without mass have no generalized mass", "[A1.7]
     const Matrix6d expected = generalized_mass(beads(20), X);
     for (const int n : idle_elements) {
         CAPTURE(n);
-        const Matrix6d found = generalized_mass(behind(n, weightless, beads(20)), X);
+        const Matrix6d found = generalized_mass(among(n, weightless, beads(20)), X);
         REQUIRE_THAT(found, IsClose(expected, Rounding(64, expected.norm())));
     }
 }
@@ -88,7 +88,7 @@ TEST_CASE("kinematics: particles without mass need no wrench", "[A1.13][kinemati
     const Wrench expected = inertial_wrench(beads(20), X, V, omega);
     for (const int n : idle_elements) {
         CAPTURE(n);
-        const Wrench found = inertial_wrench(behind(n, weightless, beads(20)), X, V, omega);
+        const Wrench found = inertial_wrench(among(n, weightless, beads(20)), X, V, omega);
         REQUIRE_THAT(found, IsClose(expected, Rounding(64, 2e5))); // Σ m |d|² |ω|²
     }
 }
@@ -113,8 +113,7 @@ TEST_CASE("kinematics: a force of zero counts for nothing", "[A1.8][kinematics]"
     const std::vector<PointForce> few = {{{1, 2, 3}, {0, 1, 0}}, {{-2, 0, 1}, {1, 1, 4}}};
     for (const int n : idle_elements) {
         CAPTURE(n);
-        const Wrench found =
-            net_wrench(behind(n, PointForce{{0, 0, 0}, {5, 1, 2}}, few), {1, 0, 0});
+        const Wrench found = net_wrench(among(n, PointForce{{0, 0, 0}, {5, 1, 2}}, few), {1, 0, 0});
         REQUIRE_THAT(found, IsClose(net_wrench(few, {1, 0, 0}), Rounding(64, 16)));
     }
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Special inputs of a formula, and inputs near them. Special inputs have entries that are zero or
-// equal, have several vectors that are zero, turn about an axis of the frame or by quarters of a
-// turn, have a point straight above another one, repeat an argument, or coincide with entries of
-// others. Ordinary random numbers almost never do any of this.
+// Special inputs of a formula, and inputs near them. Special inputs have entries that are zero,
+// equal or small whole numbers (whose sums, products and squares often coincide), have several
+// vectors that are zero, turn about an axis of the frame or by quarters of a turn, have a point
+// straight above another one, repeat an argument, or coincide with entries of others. Ordinary
+// random numbers almost never do any of this.
 #pragma once
 
 #include "coincidences.hpp"
@@ -25,6 +26,12 @@ template <class Entries> void make_entries_special(Entries& x, bool may_vanish, 
         const double other = x(random_index(random, static_cast<std::size_t>(x.size())));
         x(i) = may_vanish && one_in(2, random) ? -other : other;
     }
+}
+
+/// A whole number from `least` to `most`.
+inline double whole(int least, int most, Random& random)
+{
+    return least + random_index(random, static_cast<std::size_t>(most - least + 1));
 }
 
 /// A turn about an axis or a diagonal of the frame, or one without a part about some axes; the real
@@ -65,10 +72,24 @@ inline Matrix3d special_symmetric(Vector3d diagonal, double beside, Random& rand
     return S;
 }
 
+/// A symmetric matrix of the unit times whole numbers: those on the diagonal are from `least` to
+/// `most`, the others are -1, 0 or 1.
+inline Matrix3d whole_symmetric(int least, int most, double unit, Random& random)
+{
+    Matrix3d S;
+    for (int i = 0; i < 3; ++i) {
+        S(i, i) = whole(least, most, random);
+        const int next = (i + 1) % 3;
+        S(i, next) = S(next, i) = whole(-1, 1, random);
+    }
+    return unit * S;
+}
+
 /// A body's inertia, or its inverse: moments that are equal or not, products that are 0 or not.
 /// The eigenvalues lie between 0.6 and 1.2, so no moment is above the sum of the others.
 inline Matrix3d special_definite(Random& random)
 {
+    if (one_in(4, random)) return whole_symmetric(14, 16, 0.0625, random);
     return special_symmetric(0.9 * Vector3d::Ones() + 0.1 * random.vector(), 0.1, random);
 }
 
@@ -84,6 +105,9 @@ template <class T> void make_special(T& value, const Quantity& q, Random& random
     } else if constexpr (std::is_same_v<T, Vector3d>) {
         make_entries_special(value, may_vanish, random);
         if (one_in(6, random)) value.setConstant(value[0]); // a cube, or a diagonal of the frame
+        if (one_in(6, random))
+            for (double& entry : value)
+                entry = may_vanish ? whole(-2, 2, random) : whole(1, 7, random) / 4;
         if (q.kind != Kind::unit) return;
         if (value.norm() < 0.1) value = Vector3d::Unit(random_index(random, 3));
         value.normalize();
@@ -92,6 +116,8 @@ template <class T> void make_special(T& value, const Quantity& q, Random& random
             value = matrix_of(special_unit_quaternion(random));
         } else if (q.kind == Kind::definite) {
             value = special_definite(random);
+        } else if (q.kind == Kind::symmetric && one_in(4, random)) {
+            value = whole_symmetric(-1, 1, 1, random);
         } else if (q.kind == Kind::symmetric) {
             Vector3d diagonal = value.diagonal();
             if (one_in(4, random)) diagonal[random_index(random, 3)] = 0;
@@ -144,7 +170,12 @@ template <class T> void make_unit(T& value, const Quantity& q)
 
 template <class T> void make_argument_special(T& value, const Quantity& q, Random& random)
 {
-    if constexpr (std::is_same_v<T, LevelSet>) return; // the point p is special instead
+    if constexpr (std::is_same_v<T, LevelSet>) {
+        if (one_in(2, random))
+            for (double& distance : value.distances)
+                distance = whole(-1, one_in(2, random) ? 1 : 0, random);
+        return;
+    }
     const T ordinary = value;
     each_pair(value, ordinary, q, false, [&](auto& leaf, const auto&, const Quantity& of) {
         if (of.kind != Kind::index && !one_in(3, random)) make_special(leaf, of, random);

@@ -34,6 +34,37 @@ TEST_CASE("plasticity: a shear counts however small it is beside the pressure",
         }
 }
 
+namespace {
+
+// Pulls along an axis in a solid under pressure. The pull is 1 down to 2^-44 of the pressure, which
+// is -1.
+// @param mises  computes the von Mises stress of a stress
+template <class Mises> void check_pull_under_pressure(const Mises& mises)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        for (int power = 0; power <= 44; ++power) {
+            const double pull = std::ldexp(1.5, -power);
+            CAPTURE(axis, pull);
+            Matrix3d stress = -Matrix3d::Identity();
+            stress(axis, axis) += pull;
+            REQUIRE_THAT(mises(stress), IsClose(pull, Rounding(32, 3)));
+        }
+}
+
+} // namespace
+
+TEST_CASE("plasticity: a pull counts however small it is beside the pressure", "[A6.4][plasticity]")
+{
+    check_pull_under_pressure(von_mises);
+}
+
+TEST_CASE("plasticity: a stretch counts however small it is beside the change of volume",
+          "[A6.6][plasticity]")
+{
+    check_pull_under_pressure(
+        [](const Matrix3d& strain) { return von_mises_from_strain(strain, 0.5); });
+}
+
 TEST_CASE("plasticity: a shear strain counts however small it is beside the change of volume",
           "[A6.6][plasticity]")
 {

@@ -7,7 +7,7 @@ namespace rigor {
 
 Matrix3d cross_matrix(const Vector3d& w)
 {
-    const double noise = 1e-15 * w.lpNorm<Eigen::Infinity>();
+    const double noise = 1e-32 * w.lpNorm<Eigen::Infinity>();
     const Vector3d kept = (w.array().abs() < noise).select(0.0, w);
     Matrix3d star;
     for (int i = 0; i < 3; ++i)
