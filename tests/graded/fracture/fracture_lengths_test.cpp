@@ -335,4 +335,24 @@ TEST_CASE("fracture: any number of cracked elements", "[A7.7][fracture]")
     }
 }
 
+TEST_CASE("fracture: any number of copies hang together", "[A7.7][fracture]")
+{
+    // A crack along a bar, z = 1/4, through all of its cubes or the last ones alone: each of their
+    // tetrahedra is copied once, and each vertex is doubled, but not those where the crack ends.
+    for (const int n : {1, 2, 5, 11, 22, 43, 100, 1000, 11'000}) {
+        const int cracked = n <= 1000 ? n : 500;
+        CAPTURE(n, cracked);
+        const TetrahedralMesh bar = block(n, 1, 1);
+        const auto is_last = [&](const Vector3d& x) { return x.x() > n - cracked; };
+        const EmbeddedMesh result =
+            virtual_nodes(bar, plane_through(bar, {0, 0, 0.25}, Vector3d::UnitZ(), is_last));
+        check_count(result.parents.size(), 6 * (n + cracked), "copies");
+        check_count(vertex_count(result.mesh), 4 * (n + 1 + cracked + (cracked == n ? 1 : 0)),
+                    "vertices");
+        check_count(piece_count(result.mesh), cracked == n ? 2 : 1, "pieces");
+        if (cracked < n) continue;
+        check_piece_matter(bar, result, std::vector{0.25 * n, 0.75 * n}, Rounding(64 + 6 * n, n));
+    }
+}
+
 } // namespace rigor::testing::fracture_lengths_test

@@ -17,6 +17,7 @@ struct CopyRules {
     bool drops_unused = false;  // vertices that no tetrahedron uses
     bool clips_all = false;     // clips each part by every crack through the tetrahedron
     bool empty_stays = false;   // no crack divides a part without matter
+    bool sixteen_bits = false;  // for the numbers of copies
 };
 
 /// The share of a tetrahedron's volume on the given sides of all planes. Recursive: an edge that
@@ -107,7 +108,8 @@ inline EmbeddedMesh copies_by(const CopyRules& rules, const TetrahedralMesh& mes
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
         const std::vector<Part> parts = parts_of(rules, planes[t]);
         for (const Part& part : parts) {
-            copies[t].push_back(static_cast<int>(result.parents.size()));
+            const int next = static_cast<int>(result.parents.size());
+            copies[t].push_back(rules.sixteen_bits ? next % (1 << 16) : next);
             result.parents.push_back(static_cast<int>(t));
             result.real.push_back(part.real);
             result.fractions.push_back(share_of(rules, part, planes[t]));
