@@ -338,7 +338,7 @@ TEST_CASE("fracture: any number of cracked elements", "[A7.7][fracture]")
 TEST_CASE("fracture: any number of copies hang together", "[A7.7][fracture]")
 {
     // A crack along a bar, z = 1/4, through all of its cubes or the last ones alone: each of their
-    // tetrahedra is copied once, and each vertex is doubled, but not those where the crack ends.
+    // tetrahedra has two copies, and each vertex is doubled, but not those where the crack ends.
     for (const int n : {1, 2, 5, 11, 22, 43, 100, 1000, 11'000}) {
         const int cracked = n <= 1000 ? n : 500;
         CAPTURE(n, cracked);

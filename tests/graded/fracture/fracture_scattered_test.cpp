@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A7.5 to A7.7: meshes whose vertices stand at random places in a long list, where keys made of
 // several indices may be the same for different faces or edges.
+#include "element_laws.hpp"
 #include "fracture_laws.hpp"
 #include "support/in_words.hpp"
 #include "virtual_nodes_laws.hpp"
+
+#include <cstdint>
 
 namespace rigor::testing::fracture_scattered_test {
 
@@ -80,6 +83,78 @@ TEST_CASE("fracture: through elements a mesh scattered among many vertices", "[A
             check_count(found[1], expected[1], "tetrahedra, as where no vertex is unused");
             check_count(found[2], expected[2], "pieces, as where no vertex is unused");
         }
+}
+
+namespace {
+
+using Edge = std::array<int, 2>; // its vertices, above the plane and below it
+
+// Pairs of edges whose keys, first · factor + second with this number of bits, are the same. In
+// each edge of the first pair the first index is the smaller one, in the second pair the larger
+// one. All indices are below count - 2; if that is impossible, there are no such pairs.
+std::vector<std::array<Edge, 2>> with_one_key(std::int64_t factor, int bits, int count)
+{
+    const std::int64_t keys = std::int64_t(1) << bits;
+    for (int step = 1; step < count; ++step)
+        for (const bool is_beyond : {false, true}) {
+            // (a + step, b) has the key of (a, b + rest), and (a + step, b + keys - rest) that of
+            // (a, b)
+            const std::int64_t rest = step * factor % keys, more = is_beyond ? keys - rest : rest;
+            if (step + more + 8 >= count) continue;
+            const int one = is_beyond ? static_cast<int>(more) : 0,
+                      other = static_cast<int>(more) - one;
+            const int a = static_cast<int>(more) + 5, b = step + 6;
+            return {{Edge{2 + step, b + one}, Edge{2, b + other}},
+                    {Edge{a + step, 2 + one}, Edge{a, 2 + other}}};
+        }
+    return {};
+}
+
+// Two or three tetrahedra around an edge from the last vertex to the one before, and with it these
+// two edges from y > 0 to y < 0. The other vertices are unused.
+TetrahedralMesh star_with(const std::array<Edge, 2>& edges, int count)
+{
+    TetrahedralMesh mesh = {
+        std::vector<Vector3d>(static_cast<std::size_t>(count), Vector3d(7, 7, 7)), {}};
+    const auto& [one, other] = edges;
+    const int bottom = count - 1, top = count - 2;
+    mesh.vertices[bottom] = {0, 0, -0.5};
+    mesh.vertices[top] = {0, 0, 1};
+    mesh.vertices[one[0]] = {0.5, 0.75, 0};
+    mesh.vertices[other[0]] = {-0.5, 0.75, 0};
+    mesh.vertices[one[1]] = {0.5, -0.75, 0};
+    mesh.vertices[other[1]] = {one[1] == other[1] ? 0 : -0.5, -0.75, 0};
+    mesh.tetrahedra = {{bottom, one[1], one[0], top}, {bottom, other[0], other[1], top}};
+    if (one[1] != other[1]) mesh.tetrahedra.push_back({bottom, other[1], one[1], top});
+    return mesh;
+}
+
+} // namespace
+
+TEST_CASE("fracture: through two edges however their indices are put together", "[A7.6][fracture]")
+{
+    std::vector<std::array<int, 2>> some; // a factor, and how many vertices there may be
+    for (const int count : {100'000, 1 << 17, 150'000, 200'000})
+        some.push_back({count, count});
+    for (const int factor : {1, 31, 1000, 10'000, 46'341, 65'535, 65'536, 65'537, 1'000'003})
+        some.push_back({factor, 140'000});
+    int tried = 0;
+    for (const auto& [factor, most] : some)
+        for (const int bits : {16, 24, 31, 32})
+            for (const auto& [one, other] : with_one_key(factor, bits, most)) {
+                CAPTURE(factor, bits, one, other);
+                const int largest = std::max({one[0], one[1], other[0], other[1]}),
+                          count = factor == most ? most : largest + 3;
+                const TetrahedralMesh mesh = star_with({one, other}, count);
+                for (const Vector3d& n : {Vector3d(0, 1, 0), Vector3d(0, -1, 0)}) {
+                    const SplitMesh result = split_element(mesh, count - 1, n);
+                    check_new_vertices(mesh, result, count - 1, n);
+                    check_count(tetrahedron_count(result.mesh), tetrahedron_count(mesh) + 2,
+                                "tetrahedra, two of them in halves");
+                    ++tried;
+                }
+            }
+    check_that(tried > 150, "enough edges with one key, in the test itself");
 }
 
 TEST_CASE("fracture: with virtual nodes a mesh scattered among many vertices", "[A7.7][fracture]")

@@ -4,6 +4,8 @@
 
 #include "mistakes/fracture/cutting.hpp"
 
+#include <cstdint>
+
 namespace rigor::cutting {
 
 /// The rules of `split_element` (A7.6); each mistake changes one.
@@ -13,16 +15,20 @@ struct ElementRules {
     bool halves_across_cracks = false; // also those with other vertices at the same places
     bool opens = true;                 // otherwise the mesh is only refined
     bool opens_rim = false;            // separates each tetrahedron at the vertex from all others
+    bool merges_edges = false;         // takes edges for one whose keys of 32 bits are the same
     bool halves_in_the_middle = false;
+    double nearly_the_middle = 0;    // a new vertex within this of it is moved to the middle
     double nearest_to_an_end = 0;    // the least distance of a new vertex from an end of its edge
     bool swaps_corners = false;      // in one of the two halves
     double snap_distance = 0.05;     // relative to the longest edge
     bool by_own_edges = false;       // the longest edge of the tetrahedra that have the vertex
+    bool float_longest = false;      // the longest edge in single precision
     bool subtracts_heights = false;  // n·x - n·x_v, whose digits cancel far from the origin
     bool asks_for_both_sides = true; // otherwise it splits even if no vertex is above, or below
     // The side of a tetrahedron on the plane, from the height of its center: positive for above, 0
     // for neither.
     double (*side_on_plane)(double height) = [](double height) { return height >= 0 ? 1.0 : -1.0; };
+    bool center_in_space = false; // a mean of places, not of heights: digits are lost far away
 };
 
 inline bool has(const Tetrahedron& t, int vertex)
@@ -48,6 +54,7 @@ inline std::map<int, double> heights_at(const ElementRules& rules, const Tetrahe
                     for (int c : t)
                         longest_own[c] = std::max(longest_own[c], length);
                 }
+    if (rules.float_longest) longest = static_cast<float>(longest);
     for (auto& [v, h] : heights) {
         const double limit = rules.snap_distance * (rules.by_own_edges ? longest_own[v] : longest);
         if (v == vertex || std::abs(h) < limit) h = 0;
@@ -104,8 +111,12 @@ inline SplitMesh split_by(const ElementRules& rules, const TetrahedralMesh& mesh
         for (int a : t)
             for (int b : t)
                 if (has(t, vertex) && heights[a] > 0 && heights[b] < 0) edges.insert({a, b});
+    std::set<std::uint32_t> keys;
     for (const auto& [a, b] : edges) {
-        const double exact = heights[a] / (heights[a] - heights[b]);
+        const auto key = static_cast<std::uint32_t>(a * mesh.vertices.size() + b);
+        if (!keys.insert(key).second && rules.merges_edges) continue;
+        double exact = heights[a] / (heights[a] - heights[b]);
+        if (std::abs(exact - 0.5) < rules.nearly_the_middle) exact = 0.5;
         const double t = rules.halves_in_the_middle ? 0.5
                                                     : std::clamp(exact, rules.nearest_to_an_end,
                                                                  1 - rules.nearest_to_an_end);
@@ -135,6 +146,8 @@ inline SplitMesh split_by(const ElementRules& rules, const TetrahedralMesh& mesh
             sum += heights[v];
             center += n.dot(x[v] - x[vertex]) / 4;
         }
+        if (rules.center_in_space)
+            center = n.dot((x[t[0]] + x[t[1]] + x[t[2]] + x[t[3]]) / 4 - x[vertex]);
         return sum != 0 ? sum : rules.side_on_plane(center);
     };
     std::vector<MeshFace> faces;
