@@ -132,6 +132,47 @@ TEST_CASE("fracture: a center however near to the plane decides", "[A7.6][fractu
     }
 }
 
+TEST_CASE("fracture: far from the origin the mean of the heights decides", "[A7.6][fracture]")
+{
+    // Tetrahedron 0 is near the plane, and its vertices 1 to 3 have heights of a few units above
+    // vertex 0. All places are multiples of the unit, and the solid is as far from the origin as
+    // such places are exact. Tetrahedron 1 is below it, and tetrahedron 2 above.
+    for (Random random : seeds(400)) {
+        const int power = 9 + random_index(random, 42); // the unit is 2^-power m
+        const double unit = std::ldexp(1, -power);
+        const int h1 = 1 + random_index(random, 3), h2 = 1 + random_index(random, 3);
+        const int h3 = random_index(random, 7) - 3 - h1 - h2; // so that the sum is -3 … 3
+        const double away = std::ldexp(1, 52 - power - random_index(random, 3));
+        const int axis = random_index(random, 3), vertex = random_index(random, 2);
+        const double sign = random.bits() % 2 == 0 ? 1 : -1;
+        CAPTURE(unit, h1, h2, h3, away, axis, vertex, sign);
+        TetrahedralMesh mesh = placed({{{0, 0, 0},
+                                        {1, 0, h1 * unit},
+                                        {0, 1, h2 * unit},
+                                        {0.75, 0.75, h3 * unit},
+                                        {0.5, 0.25, -1},
+                                        {0.25, 0.25, 1}},
+                                       {{0, 1, 2, 3}, {0, 1, 3, 4}, {0, 1, 2, 5}}},
+                                      random_index(random, 12), {0, 0, 0});
+        for (Vector3d& x : mesh.vertices) { // the z axis becomes this one
+            x = Vector3d(x[(2 - axis) % 3], x[(3 - axis) % 3], x[(4 - axis) % 3]);
+            x += away * Vector3d(1, 1, 1);
+        }
+        const SplitMesh result = split_element(mesh, vertex, sign * Vector3d::Unit(axis));
+        check_count(tetrahedron_count(result.mesh), 3, "tetrahedra");
+        const std::vector<int> piece = piece_labels(result.mesh);
+        std::array<int, 3> piece_of{}; // by the tetrahedron of the mesh before
+        for (std::size_t t = 0; t < 3; ++t)
+            piece_of[result.parents[t]] = piece[t];
+        const int sum = h1 + h2 + h3 - 4 * (vertex == 1 ? h1 : 0); // above this vertex
+        const bool is_upper = sum > 0 || (sum == 0 && sign > 0);
+        check_that(piece_of[0] == piece_of[is_upper ? 2 : 1],
+                   "the flat tetrahedron stays with the one on its side of the plane");
+        check_that(piece_of[0] != piece_of[is_upper ? 1 : 2],
+                   "the tetrahedron on the other side comes off");
+    }
+}
+
 namespace {
 
 // An edge from y = -1 to y = 1 with wedges, which are tetrahedra, at some of n angles around it,
@@ -171,6 +212,52 @@ TEST_CASE("fracture: all tetrahedra of a cut edge are halved however they are co
             INFO("the edge has vertex 4 beside it, and all of its wedges are halved");
             check_count(tetrahedron_count(result.mesh), 12 + 2 * std::ssize(wedges), "tetrahedra");
         });
+    }
+}
+
+TEST_CASE("fracture: wedges with an edge in common part where nothing else holds them",
+          "[A7.5][fracture]")
+{
+    for (int n = 2; n <= 6; ++n) { // wedges, with as many gaps between them
+        std::vector<int> wedges(static_cast<std::size_t>(n));
+        for (int i = 0; i < n; ++i)
+            wedges[i] = 2 * i;
+        everywhere(wedges_around_edge(2 * n, wedges), [&](const Placed& solid) {
+            // both rings are cut between the wedges, so no face that is cut has the edge
+            std::set<std::array<int, 3>> cut;
+            for (int i = 0; i < n; ++i)
+                for (const int end : {0, 1})
+                    cut.insert(face_vertices(
+                        {-1, solid.vertex[end], solid.vertex[2 + end], solid.vertex[4 + 2 * i + 1]},
+                        0));
+            std::vector<MeshFace> faces;
+            for (int t = 0; t < tetrahedron_count(solid.mesh); ++t)
+                for (int f = 0; f < 4; ++f)
+                    if (cut.contains(face_vertices(solid.mesh.tetrahedra[t], f)))
+                        faces.push_back({t, f});
+            const SplitMesh result = split_along_faces(solid.mesh, faces);
+            CAPTURE(n);
+            check_definition(solid.mesh, faces, result);
+            check_count(piece_count(result.mesh), n, "pieces, one for each wedge");
+            // four vertices have n copies, and each vertex of the rim at a cut has three
+            check_count(vertex_count(result.mesh), 4 * n + n + 3 * n, "vertices");
+        });
+    }
+}
+
+TEST_CASE("fracture: a solid with any holes parts along its faces", "[A7.5][fracture]")
+{
+    // Around an edge of such a solid there may be several fans of tetrahedra.
+    for (Random random : seeds(60)) {
+        TetrahedralMesh some = block(2, 2, 2);
+        std::erase_if(some.tetrahedra, [&](const Tetrahedron&) { return random.bits() % 5 < 2; });
+        const TetrahedralMesh mesh = parted(some, {}); // only faces hold it together
+        const double chance = random.uniform(0, 0.4);
+        std::vector<MeshFace> faces;
+        for (int t = 0; t < tetrahedron_count(mesh); ++t)
+            for (int f = 0; f < 4; ++f)
+                if (random.uniform(0, 1) < chance) faces.push_back({t, f});
+        check_definition(mesh, faces, split_along_faces(mesh, faces));
     }
 }
 
