@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A7: many neighbours and many elements, small neighbours under a high stress, a threshold that is
-// met exactly, which edges decide what is near a plane, and planes that are nearly along an axis.
+// met exactly, which edges decide what is near a plane, where a plane crosses an edge, and planes
+// that are nearly along an axis.
+#include "element_laws.hpp"
 #include "formulas/fracture.hpp"
 #include "fracture_laws.hpp"
 #include "support/in_words.hpp"
 #include "support/seeds.hpp"
+
+#include <numeric>
 
 namespace fracture_strata_test {
 
@@ -51,6 +55,60 @@ TEST_CASE("fracture: each entry among the neighbours counts", "[A7.1][fracture]"
         }
         REQUIRE_THAT(smooth_stress(stresses, {{}, {1, 1}, {}}, volumes)[1],
                      IsClose(stresses[1], Rounding(32)));
+    }
+}
+
+namespace {
+
+using Lists = std::vector<std::vector<int>>;
+
+// The neighbours of n elements. An element may name others that do not name it.
+Lists one_way_lists(int n, Random& random)
+{
+    Lists lists(static_cast<std::size_t>(n));
+    const int kind = random_index(random, 3), rounds = 1 + random_index(random, 3);
+    for (int round = 0; round < rounds; ++round) {
+        const std::vector<int> order = permutation(random, lists.size());
+        int at = order[0]; // a walk from element to element
+        for (int i = 1; i <= n; ++i) {
+            const int any = random_index(random, lists.size());
+            // The first kind of walk visits all elements and returns, the second one any elements
+            // and returns, so that each is named as often as it names others. The third one ends
+            // anywhere.
+            const int next = kind == 0 || (kind == 1 && i == n) ? order[i % n] : any;
+            lists[at].push_back(next);
+            at = next;
+        }
+    }
+    return lists;
+}
+
+} // namespace
+
+TEST_CASE("fracture: an element has the neighbours that its own list names", "[A7.1][fracture]")
+{
+    for (Random random : seeds(60)) {
+        const int n = 2 + random_index(random, 7);
+        const Lists neighbours = one_way_lists(n, random);
+        std::vector<Matrix3d> stresses;
+        std::vector<double> volumes;
+        for (int i = 0; i < n; ++i) {
+            stresses.push_back(random.positive_definite());
+            volumes.push_back(random.mass());
+        }
+        const std::vector<Matrix3d> smooth = smooth_stress(stresses, neighbours, volumes);
+        check_count(smooth.size(), n, "stresses, one for each element");
+        for (std::size_t e = 0; e < smooth.size(); ++e) {
+            CAPTURE(e, neighbours[e]);
+            Matrix3d sum = volumes[e] * stresses[e];
+            double V = volumes[e], scale = sum.norm();
+            for (const int m : neighbours[e]) {
+                sum += volumes[m] * stresses[m];
+                V += volumes[m];
+                scale += volumes[m] * stresses[m].norm();
+            }
+            REQUIRE_THAT(smooth[e], IsClose(Matrix3d(sum / V), Rounding(256, scale / V)));
+        }
     }
 }
 
@@ -124,11 +182,12 @@ namespace {
 
 // Two tetrahedra around vertex 0 with a face in common. Vertex 1 is `height` above the plane
 // through vertex 0 that is perpendicular to y; the others are below it. The longest edge leads from
-// vertex 0 to vertex 4 and is 20 m long.
-TetrahedralMesh near_and_long(double height)
+// vertex 0 to vertex 4.
+TetrahedralMesh near_and_long(double height, double longest)
 {
-    TetrahedralMesh mesh = {{{0, 0, 0}, {0, height, 1}, {1, -2, 0}, {-1, -2, 0}, {0, -12, -16}},
-                            {}};
+    TetrahedralMesh mesh = {
+        {{0, 0, 0}, {0, height, 1}, {1, -2, 0}, {-1, -2, 0}, {0, -0.6 * longest, -0.8 * longest}},
+        {}};
     for (const Tetrahedron& t : {Tetrahedron{0, 1, 2, 3}, Tetrahedron{0, 4, 2, 3}}) {
         mesh.tetrahedra.push_back(t);
         if (volume(mesh, mesh.tetrahedra.size() - 1) < 0)
@@ -141,23 +200,63 @@ TetrahedralMesh near_and_long(double height)
 
 TEST_CASE("fracture: the longest edge of all tetrahedra of the vertex decides", "[A7.6][fracture]")
 {
-    // The tetrahedron of vertex 1 has no edge of 20 m; the other one has. The heights approach the
-    // limit 0.05 · 20 m = 1 m from both sides. None is exactly 1 m: 0.05 has no exact binary form,
-    // so 0.05 · 20 is 1 in doubles and larger than 1 in a type with more digits.
-    std::vector<double> heights = {0.25};
+    // The other tetrahedron has an edge of 20 m, or of any length near that, and that of vertex 1
+    // none as long. The heights approach the limit, 0.05 of this length, from both sides. None
+    // meets it: 0.05 has no exact binary form, so 0.05 · 20 is 1 in doubles and larger than 1 in a
+    // type with more digits.
+    std::vector<double> ratios = {0.25}; // heights, divided by the limit
     for (int power = 1; power <= 44; ++power) {
-        heights.push_back(1 - std::ldexp(1, -power));
-        heights.push_back(1 + std::ldexp(1, -power));
+        ratios.push_back(1 - std::ldexp(1, -power));
+        ratios.push_back(1 + std::ldexp(1, -power));
     }
-    for (const double height : heights) {
-        CAPTURE(height);
-        const TetrahedralMesh mesh = near_and_long(height);
-        const SplitMesh result = split_element(mesh, 0, Vector3d::UnitY());
-        const bool cuts = height > 1; // less than 0.05 of the edge would be on the plane
-        check_that((vertex_count(result.mesh) > vertex_count(mesh)) == cuts,
-                   cuts ? "new vertices, since the plane cuts" : "no new vertex");
-        check_count(piece_count(result.mesh), cuts ? 2 : 1, "pieces");
+    std::vector<double> lengths = {20};
+    for (Random random : seeds(8))
+        lengths.push_back(random.uniform(15, 25));
+    for (const double longest : lengths)
+        for (const double ratio : ratios) {
+            CAPTURE(longest, ratio);
+            const TetrahedralMesh mesh = near_and_long(0.05 * longest * ratio, longest);
+            const SplitMesh result = split_element(mesh, 0, Vector3d::UnitY());
+            const bool cuts = ratio > 1; // less than 0.05 of the edge would be on the plane
+            check_that((vertex_count(result.mesh) > vertex_count(mesh)) == cuts,
+                       cuts ? "new vertices, since the plane cuts" : "no new vertex");
+            check_count(piece_count(result.mesh), cuts ? 2 : 1, "pieces");
+        }
+}
+
+namespace {
+
+// Cuts an edge of 1 m at the fraction t from its upper end, vertex 1. The vertices 0 and 3 lie on
+// the plane.
+void check_crossing(double t)
+{
+    const TetrahedralMesh mesh = {{{0, 0, 0}, {0.5, 0, t}, {0.5, 0, t - 1}, {0, 0.5, 0}},
+                                  {{0, 2, 1, 3}}};
+    for (const Vector3d& n : {Vector3d(0, 0, 1), Vector3d(0, 0, -1)}) {
+        const SplitMesh result = split_element(mesh, 0, n);
+        check_new_vertices(mesh, result, 0, n);
+        check_count(tetrahedron_count(result.mesh), 2, "tetrahedra");
+        for (std::size_t v = 0; v < result.origins.size(); ++v) {
+            if (result.origins[v].first == result.origins[v].second) continue;
+            INFO("the height of a new vertex above the plane [m]");
+            REQUIRE_THAT(result.mesh.vertices[v].z(), IsClose(0.0, Rounding(32, 1)));
+        }
     }
+}
+
+} // namespace
+
+TEST_CASE("fracture: a plane may cross an edge anywhere", "[A7.6][fracture]")
+{
+    for (int whole = 2; whole <= 12; ++whole)
+        for (int part = 1; part < whole; ++part)
+            for (int power = 4; std::gcd(part, whole) == 1 && power <= 40; power += 2)
+                for (const double off : {std::ldexp(1, -power), std::ldexp(-1, -power)}) {
+                    const double t = static_cast<double>(part) / whole + off;
+                    if (t < 0.07 || t > 0.93) continue; // an end would count as on the plane
+                    CAPTURE(part, whole, off);
+                    check_crossing(t);
+                }
 }
 
 TEST_CASE("fracture: any edge of a tetrahedron may be the longest", "[A7.6][fracture]")
