@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
+#include <string>
+#include <thread>
 #include <unistd.h>
 
 namespace rigor {
@@ -194,6 +196,8 @@ std::vector<SuiteResult> run_preset(const std::string& preset, SuiteSize size)
 
     std::vector<SuiteResult> results = {built};
     CTestLines lines(preset, results);
+    // Some tests wait for time limits, so there is one more of them than processors.
+    const unsigned jobs = std::thread::hardware_concurrency() + 1;
     Command ctest;
     ctest.arguments = {"ctest",
                        "--test-dir",
@@ -204,7 +208,7 @@ std::vector<SuiteResult> run_preset(const std::string& preset, SuiteSize size)
                        "--no-tests=error",
                        "--timeout",
                        longest_test,
-                       "-j2"};
+                       "-j" + std::to_string(jobs)};
     const Ended ended = run(ctest, [&](std::string_view line) { lines.take(std::string(line)); });
     const auto failed = [](const SuiteResult& result) {
         return result.verdict == SuiteResult::failed;

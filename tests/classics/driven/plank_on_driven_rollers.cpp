@@ -57,7 +57,7 @@ double error_of(const Rollers& rollers, double first, double T, int steps)
 } // namespace
 
 TEST_CASE("classics: a plank on rollers that turn against each other swings",
-          "[classics][unsanitized]")
+          "[classics][.long][unsanitized]")
 {
     Sweep sweep;
     for (const double d : {0.3, 0.5, 1.0})

@@ -141,7 +141,7 @@ TEST_CASE("classics: a pebble and an egg rock on with their energy", "[classics]
                 }
 }
 
-TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics][unsanitized]")
+TEST_CASE("classics: a body in a faceted bowl gains no energy", "[classics][.long][unsanitized]")
 {
     Sweep sweep;
     // The wall ahead is steeper than the wall below, in corners or along a curve. A body that moves

@@ -113,7 +113,7 @@ TEST_CASE("classics: the joints of a floor of tiles do not change a motion",
 }
 
 TEST_CASE("classics: the joints of a floor of convex meshes do not change a motion",
-          "[classics][unsanitized]")
+          "[classics][.long][unsanitized]")
 {
     // Capsules and tori still catch on such joints.
     cross_joints(mesh_of(box_mesh({wide, 1, deep})), [](const std::string& name) {

@@ -43,7 +43,7 @@ double fastest(const Deformable& solid)
 } // namespace
 
 TEST_CASE("classics: an elastic block comes to rest on a slope that friction can hold",
-          "[classics][unsanitized]")
+          "[classics][.long][unsanitized]")
 {
     Sweep sweep;
     for (const NodeIntegrator integrator :
