@@ -20,7 +20,7 @@ namespace {
 // time.
 constexpr std::size_t longest_word = 64;
 
-// Number of letters to insert, remove, replace or swap with a neighbour to turn one word into the
+// Number of letters to insert, remove, replace or swap with a neighbor to turn one word into the
 // other.
 std::size_t edit_distance(std::string_view a, std::string_view b)
 {

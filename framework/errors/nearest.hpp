@@ -8,7 +8,7 @@
 namespace rigor {
 
 /// The name that is spelt most like `word`, by the number of letters to insert, remove, replace or
-/// swap with a neighbour (Damerau 1964, "A technique for computer detection and correction of
+/// swap with a neighbor (Damerau 1964, "A technique for computer detection and correction of
 /// spelling errors"). If every name differs
 /// 1. in all letters, or
 /// 2. in more than 2 letters, and in more than a third of the letters of `word`,

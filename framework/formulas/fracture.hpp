@@ -10,7 +10,7 @@
 // edge, a vertex or nothing, at most two tetrahedra share a face, and the tetrahedra around each
 // vertex are connected through faces. The returned meshes are conforming too, apart from the two
 // sides of a crack, which touch and share nothing but the rim where it ends, and from the copies of
-// A7.7: they overlap, and two copies and their neighbour can share one face. A vertex that no
+// A7.7: they overlap, and two copies and their neighbor can share one face. A vertex that no
 // tetrahedron uses is kept. Every index is valid; for an invalid index the result may be anything
 // finite.
 #pragma once
@@ -20,13 +20,13 @@
 
 namespace rigor {
 
-/// A7.1 The stress of each element, averaged with the stresses of its neighbours and weighted by
+/// A7.1 The stress of each element, averaged with the stresses of its neighbors and weighted by
 /// volume. The average avoids cracks that are only caused by the mesh.
 ///
-///     σ̄ₑ = (Vₑ σₑ + Σ Vₘ σₘ) / (Vₑ + Σ Vₘ)    over the neighbours m of e
+///     σ̄ₑ = (Vₑ σₑ + Σ Vₘ σₘ) / (Vₑ + Σ Vₘ)    over the neighbors m of e
 ///
 /// @param stresses    one for each element [Pa]
-/// @param neighbours  for each element, the indices of its neighbours, usually the elements with
+/// @param neighbours  for each element, the indices of its neighbors, usually the elements with
 ///                    which it shares a face; each entry counts, also one that repeats another or
 ///                    is the element itself
 /// @param volumes     one for each element, ≥ 0 [m³]; where all averaged volumes are 0, σₑ is kept

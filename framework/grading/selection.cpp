@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Selects the tasks that words name. Each word is compared, in lower case, with the names, topics,
-// tags and formulas of all assignments. A word that names nothing is an error with a hint: the
-// range of tags if it looks like a tag, or else the nearest name.
+// Selects the tasks that the words of the command line name. Each word is compared, in lower case,
+// with the names, topics, tags and formulas of all assignments. A word that names nothing is an
+// error with a hint: the range of tags if it looks like a tag, or else the nearest name.
 #include "grading/selection.hpp"
 
 #include "errors/input_error.hpp"

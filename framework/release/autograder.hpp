@@ -13,8 +13,8 @@ namespace rigor {
 
 /// The files of a Gradescope autograder, as they lie in its zip: `setup.sh`, which Gradescope runs
 /// once as root, `run_autograder`, which it runs for each submission, and in `rigor/` the tree that
-/// grades. Where a right solution of the assignment calls stubs in student/ (`called_stubs`), the
-/// tree has the reference's file.
+/// grades. Where the assignment needs an earlier topic of which student/ has only stubs
+/// (`called_stubs`), the tree has the reference's file.
 ///
 /// @param secret  draws the random cases of each submission and is in the zip; empty: all
 ///                submissions get the same cases

@@ -28,7 +28,7 @@ TreeProof prove_students_tree(const std::filesystem::path& tree,
 inline constexpr int steps_of_tree_proof = 2;
 
 /// What is wrong with the output of `rigor check --json`; empty if every visible task has the
-/// expected status and points and no hidden task counts.
+/// expected status and points and no hidden task has points.
 /// @param solved  true: every point of the visible tasks is expected; false: none is
 /// @param proof   gets the number and the points of the visible tasks
 std::string fault_of_tree(const std::string& json, bool solved, TreeProof& proof);

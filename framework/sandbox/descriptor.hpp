@@ -6,9 +6,8 @@
 
 namespace rigor {
 
-/// An open descriptor. Its number is higher than the numbers of the descriptors that a child
-/// process gets. So it is not overwritten when the child's descriptors are put in place by dup2.
-/// Programs that are started do not inherit it.
+/// An open descriptor. It has a high number, above those that dup2 gives to the descriptors of a
+/// child process, so it is not overwritten there. Programs that are started do not inherit it.
 class Descriptor {
 public:
     Descriptor() = default;

@@ -2,8 +2,8 @@
 // Finds out which tier is possible. The launcher tries each wall, that is, each part of the sandbox
 // (sandbox/main/probe.cpp), and prints which ones work. A tier is a set of walls that together can
 // be relied on (`is_possible`). Without a filter of system calls there is only tier C, limits on
-// resources. The same is true if there is a filter but neither a listener in the grader nor
-// Landlock, because then a program could start other programs.
+// resources. The same is true if there is a filter but neither its listener in the grader
+// (seccomp's user notification) nor Landlock, because then a program could start other programs.
 #include "sandbox/tier.hpp"
 
 #include "errors/input_error.hpp"
@@ -88,7 +88,7 @@ bool is_possible(Tier tier, const Walls& walls)
     case Tier::a:
         return walls.filter && (walls.landlock || walls.listener) &&
                walls.namespaces != Walls::Namespaces::none;
-    case Tier::b: // only Landlock keeps the compiler of a submission from other files
+    case Tier::b: // without namespaces, only Landlock keeps the compiler from reading other files
         return walls.filter && walls.landlock;
     case Tier::c:
         return true;

@@ -152,7 +152,7 @@ std::vector<Matrix3d> smooth_stress(const std::vector<Matrix3d>& stresses,
                                     const std::vector<std::vector<int>>& neighbours,
                                     const std::vector<double>& volumes)
 {
-    // a running mean: each neighbour moves it by its share of the volume so far
+    // a running mean: each neighbor moves it by its share of the volume so far
     std::vector<Matrix3d> means = stresses;
     for (std::size_t e = 0; e < stresses.size(); ++e) {
         double V = volumes[e];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mutations of operators and their operands. Operators of two operands are recognised by the spaces
+// Mutations of operators and their operands. Operators of two operands are recognized by the spaces
 // around them. An operand ends where an operator of the same or a lower rank follows.
 #include "mutants/mutation.hpp"
 
@@ -78,7 +78,7 @@ std::size_t operand_begin(const std::vector<Token>& tokens, std::size_t i, int i
     }
 }
 
-// Numbers that may take the place of a number: its neighbours, and other thresholds for one such as
+// Numbers that may take the place of a number: its neighbors, and other thresholds for one such as
 // 1e-12.
 Texts other_numbers(const std::string& number)
 {

@@ -10,7 +10,7 @@ namespace rigor::testing {
 
 Random::Random(unsigned seed) : state_(seed)
 {
-    bits(); // separates neighbouring seeds
+    bits(); // separates neighboring seeds
 }
 
 // Steele, Lea & Flood 2014, "Fast splittable pseudorandom number generators".

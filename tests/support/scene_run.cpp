@@ -2,7 +2,7 @@
 // Runs of scenes with the formulas of the worker under test, and their comparison with the oracle,
 // a worker with the formulas of the reference, which runs scenes itself. `check_every_step` lets
 // the oracle take each step from the recorded state before it, and compares the two results. If
-// they differ, the oracle also starts from neighbouring states, to see whether rounding alone
+// they differ, the oracle also starts from neighboring states, to see whether rounding alone
 // decides the step.
 #include "support/scene_run.hpp"
 
@@ -81,7 +81,7 @@ double difference(const RigidState& a, const RigidState& b, const Scales& scales
     return all.allFinite() ? all.lpNorm<Eigen::Infinity>() : INFINITY;
 }
 
-// A neighbouring state, some eps away.
+// A neighboring state, some eps away.
 RigidState nudged(const RigidState& state, double mass, Random& random)
 {
     const auto nudge = [&](double scale) -> Vector3d { return 16 * eps * scale * random.vector(); };
@@ -118,16 +118,16 @@ std::vector<Worker::Start> neighbours_of(const Trajectory& run, const Worker::St
 }
 
 // Whether rounding alone decides a step: whether the reference gets another result from one of the
-// neighbouring states, and `found` is no farther from the reference's result than such others are.
+// neighboring states, and `found` is no farther from the reference's result than such others are.
 // Then no result of this step is the right one. An example is a scene where points are equally
 // deep, so that rounding decides which of them comes first. The other result may come from only one
-// in a hundred neighbouring states, so up to 400 of them are tried. The worker under test is not
-// asked: a formula that is wrong in single states would be right in their neighbours.
+// in a hundred neighboring states, so up to 400 of them are tried. The worker under test is not
+// asked: a formula that is wrong in single states would be right in their neighbors.
 bool hangs_on_rounding(const Trajectory& run, const Worker::Start& start,
                        const std::vector<RigidState>& found,
                        const std::vector<RigidState>& expected)
 {
-    // Several choices may add up in one result, and single ones in those of the neighbours.
+    // Several choices may add up in one result, and single ones in those of the neighbors.
     constexpr double choices = 10;
     const double distance = difference(run, start, found, expected);
     Random random(1);

@@ -44,7 +44,7 @@ inline double steps_of(const Frame& frame)
 /// run `without_memory`. The test compares X, q (up to its sign), V and L of every body, class R,
 /// and names step, body and quantity.
 ///
-/// A wrong step is left out if rounding alone decides it: if among hundreds of neighbouring states
+/// A wrong step is left out if rounding alone decides it: if among hundreds of neighboring states
 /// there is one from which the reference gets another result. Fewer than half of the steps may be
 /// left out. Needs an oracle.
 ///

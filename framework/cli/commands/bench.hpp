@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor bench`: measure run time against error.
 Action declare_bench(Options& options);
 
 } // namespace rigor

@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor book`: make one page of all handouts.
 Action declare_book(Options& options);
 
 } // namespace rigor

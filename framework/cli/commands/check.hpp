@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor check`: grade your own files: the loop to live in.
 Action declare_check(Options& options);
 
 } // namespace rigor

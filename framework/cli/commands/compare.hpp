@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor compare`: find the first step where two implementations differ.
 Action declare_compare(Options& options);
 
 } // namespace rigor

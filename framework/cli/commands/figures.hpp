@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor figures`: draw the figures of the handouts.
 Action declare_figures(Options& options);
 
 } // namespace rigor

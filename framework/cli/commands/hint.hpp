@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor hint`: give a hint for a task, and the next one each time.
 Action declare_hint(Options& options);
 
 } // namespace rigor

@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor list`: show assignments, tasks, points and scenes.
 Action declare_list(Options& options);
 
 } // namespace rigor

@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor render`: draw a scene or a stored trajectory as frames.
 Action declare_render(Options& options);
 
 } // namespace rigor

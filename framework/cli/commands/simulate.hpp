@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor simulate`: run a scene and store its trajectory.
 Action declare_simulate(Options& options);
 
 } // namespace rigor

@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor test`: check this tree in minutes, or all that CI checks.
 Action declare_test(Options& options);
 
 } // namespace rigor

@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor grade`: grade a class: folders and archives.
 Action declare_grade(Options& options);
 
 } // namespace rigor

@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor grade-chunk`: grade a part of a class. Slurm starts it.
 Action declare_grade_chunk(Options& options);
 
 } // namespace rigor

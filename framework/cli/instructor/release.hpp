@@ -5,6 +5,7 @@
 
 namespace rigor {
 
+/// The command `rigor release`: make what students, Gradescope or GitHub get.
 Action declare_release(Options& options);
 
 } // namespace rigor

@@ -3,8 +3,9 @@
 // with constant rotations of the elements (Baraff and Witkin 1998, "Large steps in cloth
 // simulation"; Müller and Gross 2004), unless tension is large (tension.hpp). First restitution
 // acts on the velocities. Then the linear system is solved, in a limited number of rounds, until
-// neither the contacts nor the plastic flow change. Last, the impulses are applied to the rigid
-// bodies and the nodes move with their new velocities.
+// neither the contacts nor the plastic flow change. The momenta that rounding and tolerances cost
+// are restored, and the impulses are applied to the rigid bodies. Last, held nodes push bodies, the
+// nodes move with their new velocities, and positions are corrected.
 #include "deformable/motion/implicit_motion.hpp"
 
 #include "deformable/contact/node_collisions.hpp"

@@ -8,8 +8,8 @@ namespace rigor {
 
 /// Backward Euler: one linear system for the velocities, then x += h v. In this system, contacts
 /// tie nodes to surfaces. An active-set method finds which contacts hold their nodes, and whether
-/// these nodes stick or slide. It takes at most ten rounds, and ten more each time that the plastic
-/// flow is linearized.
+/// these nodes stick or slide. The number of its rounds is limited, also of those that follow each
+/// time that the plastic flow is linearized.
 void move_implicitly(const NodeMotion& motion);
 
 } // namespace rigor

@@ -133,7 +133,7 @@ void take_link(Toolchain& tools, const std::string& command)
             tools.link.push_back(is_input ? (places().build / words[i]).string() : words[i]);
         }
     }
-    // An object may hold code for the optimiser of the linker, which gcc's plugin would compile.
+    // An object may hold code for the optimizer of the linker, which gcc's plugin would compile.
     if (tools.link[0].find("clang") == std::string::npos)
         tools.link.emplace_back("-fno-use-linker-plugin");
     // With this option, a name that is defined nowhere does not make the link fail. Only the

@@ -36,9 +36,9 @@ constexpr double same_normal = 1e-9; // normals n, n' count as equal if 1 - n·n
 // The share is not 0, because `turning_speed` is exact only to first order in the rotation during
 // the step.
 constexpr double negligible_share = 0.1;
-// `only_turns` counts v·n - turning_speed as zero if it is an approach slower than half this
-// share of |turning_speed|. This limit is far above the rounding error of a speed and far below any
-// speed that matters.
+// `only_turns` ignores an approach by v·n - turning_speed that is slower than half this share of
+// |turning_speed|. This limit is far above the rounding error of a speed and far below any speed
+// that matters.
 constexpr double rounding_share = negligible_share * 1e-9;
 
 // The points of a pair at which a collision may happen now.

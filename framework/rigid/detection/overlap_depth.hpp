@@ -10,9 +10,9 @@
 
 namespace rigor {
 
-/// The largest number of bodies of an island that a step computes more than once: in two parts, so
-/// that its bodies overlap less or bounce at their times of impact, or with another flight under
-/// its forces. In a larger island this would take too much time. Chosen by trial.
+/// The largest number of bodies of an island that a step computes more than once: in adaptive
+/// substeps, or with the flight of bodies that bounced or that contacts hold (bounced_flight.hpp,
+/// supported_flight.hpp). In a larger island this would take too much time. Chosen by trial.
 inline constexpr std::size_t most_refined = 32;
 
 /// The smallest extent of a body's thinnest part, without planes [m]. It is infinity if all parts

@@ -5,11 +5,11 @@
 // stage                 reads                     writes               where
 //   a single body       its state, gravity        its state, memory    step/single_body; then the
 //                                                                      other stages are left out
-//   wake up             forces, springs           sleeping bodies,     step/sleep, `wake_pulled`
-//                                                 memory
 //   bodies with forces  forces, drag              none                 motion/forces,
 //                                                                      `pulled_bodies`,
 //                                                                      `with_dragged_bodies`
+//   wake up             forces, springs           sleeping bodies,     step/sleep, `wake_pulled`
+//                                                 memory
 // 1 free flight         states, forces            flown states         motion/free_flight
 // 2 find contacts       states, flown states      contact candidates   detection/contact_candidates
 //   broad phase         bounds, memory            pairs of bodies,     detection/broad_phase
@@ -31,7 +31,9 @@
 //   bounced flight      velocities, forces        flown states,        step/bounced_flight; for
 //                                                 predicted gaps       bodies that bounced and that
 //                                                                      springs or drag pull
-// 4 velocities          flown states              velocities           step/velocity_update
+// 4 velocities          flown states              velocities           step/velocity_update; 4 and
+//                                                                      5 alternate: each island
+//                                                                      does both
 // 5 contact, friction   velocities, gaps          velocities, impulses contact/resting_contact
 //   set drives          drives, velocities        velocities of drives contact/driven_bodies
 //                       before forces
@@ -55,7 +57,7 @@
 //                                                                      step/substeps/
 //   missed contacts     flown states, states,     none                 step/missed_contacts; if
 //                       margins                                        there is one, the whole step
-//                                                                      runs again in two halves
+//                                                                      runs again in two parts
 //   collect contacts    impulses                  records, the next    step/step_result
 //                                                 warm contacts
 // 9 sleep               states, islands           states, memory, the  step/sleep

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A5: long lists with equal depths, many iterations, many sweeps, high towers, contacts between
-// levels that are not neighbours.
+// levels that are not neighbors.
 #include "contact_cases.hpp"
 #include "formulas/contact.hpp"
 #include "support/close.hpp"

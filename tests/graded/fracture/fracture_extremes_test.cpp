@@ -56,7 +56,7 @@ std::map<std::pair<int, int>, double> cut_edges(const SplitMesh& split)
 
 TEST_CASE("fracture: only an element and its neighbours count in its average", "[A7.1][fracture]")
 {
-    // a third element, which is nobody's neighbour, may be as large or small as it likes
+    // a third element, which is nobody's neighbor, may be as large or small as it likes
     const Matrix3d one = Matrix3d::Identity();
     for (int power = -200; power <= 200; power += 8) {
         CAPTURE(power);

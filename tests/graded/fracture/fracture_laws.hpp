@@ -328,7 +328,7 @@ inline SurfaceAreas surface_areas(const TetrahedralMesh& mesh)
 }
 
 /// Checks the surface of a mesh that had no cracks before: it is the old surface and both sides of
-/// each crack. A vertex in the middle of a neighbour's edge would open more.
+/// each crack. A vertex in the middle of a neighbor's edge would open more.
 inline void check_surface(const TetrahedralMesh& before, const TetrahedralMesh& after)
 {
     const SurfaceAreas old = surface_areas(before), now = surface_areas(after);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A7: many neighbours and many elements, small neighbours under a high stress, a threshold that is
+// A7: many neighbors and many elements, small neighbors under a high stress, a threshold that is
 // met exactly, which edges decide what is near a plane, where a plane crosses an edge, and planes
 // that are nearly along an axis.
 #include "element_laws.hpp"
@@ -24,7 +24,7 @@ TEST_CASE("fracture: an element may have any number of neighbours", "[A7.1][frac
         std::vector<std::vector<int>> neighbours(one.size());
         for (int i = 1; i <= n; ++i)
             neighbours[0].push_back(i);
-        one[n].setZero(); // the last neighbour
+        one[n].setZero(); // the last neighbor
         const std::vector<double> volumes(one.size(), 1.0);
         REQUIRE_THAT(smooth_stress(one, neighbours, volumes)[0],
                      IsClose(Matrix3d(n / (n + 1.0) * Matrix3d::Identity()), Rounding(4.0 * n)));
@@ -62,7 +62,7 @@ namespace {
 
 using Lists = std::vector<std::vector<int>>;
 
-// The neighbours of n elements. An element may name others that do not name it.
+// The neighbors of n elements. An element may name others that do not name it.
 Lists one_way_lists(int n, Random& random)
 {
     Lists lists(static_cast<std::size_t>(n));
@@ -143,8 +143,8 @@ TEST_CASE("fracture: the stress of every element of many is smoothed", "[A7.1][f
 
 TEST_CASE("fracture: elements after one without volume are smoothed too", "[A7.1][fracture]")
 {
-    // Six elements in pairs of neighbours, but the element `empty` and its partner are no
-    // neighbours, and `empty` has no volume.
+    // Six elements in pairs of neighbors, but the element `empty` and its partner are no
+    // neighbors, and `empty` has no volume.
     for (std::size_t empty : {0, 2, 4}) {
         CAPTURE(empty);
         std::vector<Matrix3d> stresses(6, Matrix3d::Zero());

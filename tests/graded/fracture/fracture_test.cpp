@@ -94,7 +94,7 @@ TEST_CASE("fracture: what has no volume does not count in an average", "[A7.1][f
 
 TEST_CASE("fracture: neighbours without volume at any place in the list", "[A7.1][fracture]")
 {
-    // an element and three neighbours, each with a volume of 0, 1 or 2 m³, in every combination
+    // an element and three neighbors, each with a volume of 0, 1 or 2 m³, in every combination
     const std::vector<Matrix3d> stresses = {tridiagonal, Matrix3d::Ones(), Matrix3d::Identity(),
                                             Vector3d(1, 2, 3).asDiagonal()};
     for (int pattern = 0; pattern < 81; ++pattern) {

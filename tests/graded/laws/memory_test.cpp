@@ -23,7 +23,7 @@ concept List = requires(T list)
 };
 
 // What a list takes from the same list of another call: everything, or one element. All random
-// meshes have the same tetrahedra, so faces and cracks fit every mesh. Flags, levels and neighbours
+// meshes have the same tetrahedra, so faces and cracks fit every mesh. Flags, levels and neighbors
 // refer to their own call, so such a list changes one element of its own instead. Contacts refer to
 // their bodies and take nothing.
 enum class Exchange { everything, element, own, nothing };

@@ -37,7 +37,7 @@ inline void change_entry(double& x, bool has_sign, Turn& turn)
     if (turn()) x *= 1 + 0x1p-44; // equal in single precision, and for Eigen's `isApprox`
 }
 
-/// Swaps two neighbouring entries, so that their sum and their norm stay.
+/// Swaps two neighboring entries, so that their sum and their norm stay.
 template <class List> void swap_entries(List& list, Turn& turn)
 {
     for (int i = 0; i + 1 < static_cast<int>(list.size()); ++i)

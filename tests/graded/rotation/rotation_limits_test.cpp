@@ -108,7 +108,7 @@ TEST_CASE("rotation: close to gimbal lock there are still Euler rates", "[A3.4][
 
 TEST_CASE("rotation: the linear update turns by as little as it is told", "[A3.12][rotation]")
 {
-    // neighbouring speeds differ by a factor of 2, so that a series for short turns is tested also
+    // neighboring speeds differ by a factor of 2, so that a series for short turns is tested also
     // where its error is largest
     for (int power = -3; power <= 500; ++power) {
         const double speed = std::ldexp(1, -power);

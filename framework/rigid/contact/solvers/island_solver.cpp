@@ -118,7 +118,7 @@ double fastest_push(const ContactProblem& problem, std::span<const int> active)
 // Whether forces other than gravity push bodies of the island together.
 bool is_pressed(const ContactProblem& problem, std::span<const int> active)
 {
-    constexpr double noticeable = 0.01; // relative to gravity; less comes from the bodies' spin
+    constexpr double noticeable = 0.01; // relative to gravity; gyroscopic terms cause less
     const Vector3d fall = problem.time_step * problem.settings.gravity;
     return largest(problem, active, [&](const ContactConstraint& c) {
                const int falling =

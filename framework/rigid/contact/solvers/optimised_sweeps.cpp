@@ -38,7 +38,8 @@ struct PairRows {
 //
 //     jₙ ← max(0, jₙ - (v·n - s)/(nᵀKn)),   j_T ← j_T - v_T/λ, shortened to |j_T| = μ jₙ if longer
 //
-// where λ is the larger eigenvalue of K in the tangent plane.
+// where λ is the larger eigenvalue of K in the tangent plane. With the matrix K̃ of
+// collision_law_sweeps.hpp, `collision_impulse` gives the same impulse.
 // @return the change of the impulse
 [[gnu::always_inline]] inline Vector3d contact_law(const SweepRow& row, const Vector3d& v)
 {

@@ -22,9 +22,10 @@ namespace {
 // find and solve their contacts twice would cost too much.
 constexpr std::size_t most_contacts = 32;
 // A contact moves along a curve if its v·n changes by more than this share of `speed_at`; a smaller
-// change is only an error of the sweeps. It must be well below `opens` in mean_velocity.cpp, which
-// is compared with changes over the whole step. Otherwise some contacts would neither count as
-// curved nor as held along fixed normals, and the step of their island would be of first order.
+// change is only an error of the sweeps. In mean_velocity.cpp, a contact is held along a fixed
+// normal if its v·n stays below the share `opens`, which is 1e-6. The share here must be well below
+// that one, so that each contact counts as one or the other; the step of an island with a contact
+// that is neither would be of first order.
 constexpr double least_change = 1e-7;
 bool has_mesh(const RigidBody& body)
 {

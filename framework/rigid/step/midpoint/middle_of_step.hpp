@@ -8,10 +8,11 @@
 
 namespace rigor {
 
-/// An island in the middle of the step. Its contacts are those that count there; the contacts of a
-/// pair follow each other. Its bodies, by their indices in the world, are those of the island, and
-/// the driven bodies that they touch, if these change their place. They have their poses in the
-/// middle of the step, but their velocities and angular momenta at the start.
+/// An island in the middle of the step. It has the contacts that hold their bodies there
+/// (held_contacts.hpp); the contacts of a pair follow each other. Its bodies, by their indices in
+/// the world, are those of the island, and the driven bodies that they touch, if these change their
+/// place. They have their poses in the middle of the step, but their velocities and angular momenta
+/// at the start.
 struct MiddleOfStep {
     std::vector<HeldContact> contacts;
     std::map<int, Body> bodies;

@@ -45,8 +45,9 @@ using StepOfPart = std::function<std::vector<ContactRecord>(World& world, double
 /// 8. The only pair that gets an impulse in an island of at most `few_bodies` bodies bounces with
 ///    ε > 0, and one end of a body hits before the other end. The step is divided at the first hit,
 ///    and just after it.
-/// 9. Such a pair bounces, but the bounce was not moved to its time of impact. The step is divided
-///    in the middle.
+/// 9. The only pair that gets an impulse in such an island bounces with ε > 0, no end hits before
+///    the other, but the bounce was not moved to its time of impact. The step is divided in the
+///    middle.
 /// 10. In an island of a single body, a contact runs far round the rim of this body
 ///     (rim_contact.hpp). The step is divided in the middle.
 /// 11. In an island of at most `few_bodies` bodies, a body would pass a contact, since it bounces

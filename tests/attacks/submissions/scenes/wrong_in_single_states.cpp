@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Wrong by far in one of sixteen states, which a hash of the state's bits chooses. A neighbouring
+// Wrong by far in one of sixteen states, which a hash of the state's bits chooses. A neighboring
 // state, some rounding errors away, has another hash, so the formula is right in nearly all of
-// these. If a test let the formula step from neighbours too, to see whether rounding alone decides
+// these. If a test let the formula step from neighbors too, to see whether rounding alone decides
 // a step, it would excuse the wrong steps. It does not help: only the reference is asked there.
 // topic: kinematics
 // tasks: A1.11

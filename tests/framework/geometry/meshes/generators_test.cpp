@@ -47,7 +47,7 @@ TEST_CASE("generators: volumes are those of their closed forms", "[geometry]")
     const double half = 15 * pi / 360;
     CHECK_THAT(volume(voussoir_mesh(1, 1.3, 15, 0.5)),
                IsClose((1.69 - 1) * std::sin(half) * std::cos(half) * 0.5, Rounding(64)));
-    // A gear: one triangle for each two neighbouring points of the outline, minus the polygon of
+    // A gear: one triangle for each two neighboring points of the outline, minus the polygon of
     // the bore.
     const int teeth = 12;
     const double pitch = 2 * pi / teeth, depth = pi / teeth, root = 1 - 0.6 * depth,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// If an element and its neighbours have no volume, the mean divides by zero.
+// If an element and its neighbors have no volume, the mean divides by zero.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

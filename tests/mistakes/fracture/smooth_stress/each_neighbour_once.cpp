@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A neighbour that is named twice must count twice; here it counts once.
+// A neighbor that is named twice must count twice; here it counts once.
 #include "formulas/fracture.hpp"
 
 #include <set>

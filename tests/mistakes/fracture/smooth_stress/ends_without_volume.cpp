@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The average ends at a neighbour after which the volume is still 0, though others may follow.
+// The average ends at a neighbor after which the volume is still 0, though others may follow.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

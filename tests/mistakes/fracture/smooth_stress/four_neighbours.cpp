@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Only the first four neighbours count.
+// Only the first four neighbors count.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An element that is among its own neighbours must count once more; here it is left out.
+// An element that is among its own neighbors must count once more; here it is left out.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An element among its own neighbours adds its stress once more, but not its volume.
+// An element among its own neighbors adds its stress once more, but not its volume.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The smoothing works in place, so an element sees neighbours that are already smoothed.
+// The smoothing works in place, so an element sees neighbors that are already smoothed.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mean is over the neighbours only; the element itself is missing.
+// The mean is over the neighbors only; the element itself is missing.
 #include "formulas/fracture.hpp"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Neighbours of the split tetrahedra are not split, which leaves vertices inside their edges.
+// Neighbors of the split tetrahedra are not split, which leaves vertices inside their edges.
 #include "mistakes/fracture/element_rules.hpp"
 
 namespace rigor {

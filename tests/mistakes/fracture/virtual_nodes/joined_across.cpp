@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copies of neighbours are connected wherever they share a face, even across the crack.
+// Copies of neighbors are connected wherever they share a face, even across the crack.
 #include "mistakes/fracture/copy_rules.hpp"
 
 namespace rigor {

@@ -49,7 +49,7 @@ struct Column : HandMade {
     }
 };
 
-// Balls in a square that touch their neighbours and the ground, and move about.
+// Balls in a square that touch their neighbors and the ground, and move about.
 struct Field : HandMade {
     explicit Field(int side, int thread_count) : HandMade(thread_count)
     {
