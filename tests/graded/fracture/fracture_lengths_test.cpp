@@ -33,9 +33,10 @@ TetrahedralMesh apart(const std::vector<Tetrahedron>& tetrahedra, std::size_t ve
 constexpr int index_counts[] = {narrow, wide, 1 << 20};
 // These, other powers of two, numbers for those who think in decimals, and the root of the largest
 // index of 32 bits.
-constexpr int all_counts[] = {narrow,  wide,    1 << 20, 128,       512,   1024,   2048,   4096,
-                              1 << 13, 1 << 14, 1 << 15, 1 << 17,   500,   1000,   2000,   5000,
-                              10000,   50000,   100'000, 1'000'000, 9'999, 46'341, 20'000, 65'535};
+constexpr int all_counts[] = {narrow,    wide,    1 << 20, 128,     512,     1024,    2048,
+                              4096,      1 << 13, 1 << 14, 1 << 15, 1 << 17, 1 << 18, 1 << 19,
+                              500,       1000,    2000,    5000,    10000,   50000,   100'000,
+                              1'000'000, 9'999,   46'341,  20'000,  65'535};
 
 // Pairs of tetrahedra with faces, edges or vertices that become one if an index is kept modulo B,
 // or if indices are added up with a factor B between them: (a, b + B, c) and (a + 1, b, c), the
@@ -250,6 +251,7 @@ TEST_CASE("fracture: a face that is named many times opens once", "[A7.5][fractu
 TEST_CASE("fracture: through elements tetrahedra with similar indices", "[A7.6][fracture]")
 {
     for (const int B : all_counts) {
+        if (B == 1 << 18 || B == 1 << 19) continue; // no usual width where a key is two indices
         CAPTURE(B);
         const TetrahedralMesh mesh = with_similar_indices(B);
         // from one corner, across the edge between two others
@@ -303,7 +305,7 @@ TEST_CASE("fracture: through edges with similar indices at one vertex", "[A7.6][
 
 TEST_CASE("fracture: with virtual nodes tetrahedra with similar indices", "[A7.7][fracture]")
 {
-    for (const int B : index_counts) {
+    for (const int B : all_counts) {
         CAPTURE(B);
         const TetrahedralMesh mesh = with_similar_indices(B);
         const EmbeddedMesh whole = virtual_nodes(mesh, {});
