@@ -18,31 +18,37 @@ struct CopyRules {
     bool clips_all = false;     // clips each part by every crack through the tetrahedron
     bool empty_stays = false;   // no crack divides a part without matter
     bool sixteen_bits = false;  // for the numbers of copies
+    double nearly_on_plane = 0; // a height below this share of the largest one counts as 0
+    double sliver = 0;          // a piece with less of the tetrahedron is not cut any more
 };
 
 /// The share of a tetrahedron's volume on the given sides of all planes. Recursive: an edge that
-/// crosses the last plane is cut there, which splits the tetrahedron in two.
+/// crosses the first plane is cut there, which splits the tetrahedron in two. By mistake, a piece
+/// with less volume than `sliver` is on the side of its farthest vertex.
 ///
 /// @param piece   barycentric coordinates of the corners, one column per corner
 /// @param planes  for each plane the heights of the four original corners, and whether the part is
 ///                above it
 inline double share(const Eigen::Matrix4d& piece,
-                    std::vector<std::pair<Eigen::Vector4d, bool>> planes)
+                    std::vector<std::pair<Eigen::Vector4d, bool>> planes, double sliver = 0)
 {
-    if (planes.empty()) return std::abs(piece.determinant());
-    const auto [plane, is_above] = planes.back();
+    const double volume = std::abs(piece.determinant());
+    if (planes.empty()) return volume;
+    const auto [plane, is_above] = planes.front();
     const Eigen::Vector4d h = piece.transpose() * plane * (is_above ? 1 : -1);
     Eigen::Index i = 0, j = 0;
-    const double tiny = 1e-13 * plane.cwiseAbs().maxCoeff();
-    if (h.maxCoeff(&i) <= tiny) return 0;
-    if (h.minCoeff(&j) >= -tiny) {
-        planes.pop_back();
-        return share(piece, planes);
+    const double tiny = 2e-15 * plane.cwiseAbs().maxCoeff(); // rounding of the heights
+    const double highest = h.maxCoeff(&i), lowest = h.minCoeff(&j);
+    const bool is_far_below = is_above ? highest < -lowest : highest <= -lowest;
+    if (highest <= tiny || (volume < sliver && is_far_below)) return 0;
+    if (lowest >= -tiny || volume < sliver) {
+        planes.erase(planes.begin());
+        return share(piece, planes, sliver);
     }
     const double t = h[i] / (h[i] - h[j]);
     Eigen::Matrix4d first = piece, second = piece;
     first.col(j) = second.col(i) = (1 - t) * piece.col(i) + t * piece.col(j);
-    return share(first, planes) + share(second, planes);
+    return share(first, planes, sliver) + share(second, planes, sliver);
 }
 
 struct Part {
@@ -81,7 +87,7 @@ inline double share_of(const CopyRules& rules, const Part& part,
     const int corners = std::accumulate(part.real.begin(), part.real.end(), 0);
     if (rules.whole_shares) return 1;
     if (rules.corner_shares) return corners / 4.0;
-    if (!rules.clips_all) return share(Eigen::Matrix4d::Identity(), part.planes);
+    if (!rules.clips_all) return share(Eigen::Matrix4d::Identity(), part.planes, rules.sliver);
     std::vector<std::pair<Eigen::Vector4d, bool>> all;
     for (const Eigen::Vector4d& h : planes) {
         const int own = corner_of(part.real, 1);
@@ -99,6 +105,8 @@ inline EmbeddedMesh copies_by(const CopyRules& rules, const TetrahedralMesh& mes
         for (int c = 0; c < 4; ++c)
             h[c] = crack.normal.dot(mesh.vertices[mesh.tetrahedra[crack.tetrahedron][c]] -
                                     crack.point);
+        for (double& height : h)
+            if (std::abs(height) < rules.nearly_on_plane * h.cwiseAbs().maxCoeff()) height = 0;
         if (rules.first_crack_only && !planes[crack.tetrahedron].empty()) continue;
         planes[crack.tetrahedron].push_back(h);
     }
