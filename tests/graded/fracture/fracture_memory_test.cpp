@@ -20,6 +20,7 @@ struct Pairs {
     std::vector<bool> is_cut;    // whether the crack of a pair cuts it or lies beside it
     int turn = 0;                // the list of tetrahedra begins with this one
     double height = 1;           // along z [m]
+    double depth = 0.5;          // where cracks cut a pair, along x [m]
 
     int size() const { return static_cast<int>(is_joined.size()); }
     int tetrahedron(int pair, int side) const { return (2 * pair + side + turn) % (2 * size()); }
@@ -55,15 +56,15 @@ struct Pairs {
         for (int p = 0; p < size(); ++p)
             for (const int side : {0, 1})
                 result.push_back({tetrahedron(p, side),
-                                  Vector3d(3 * p + (is_cut[p] ? 0.5 : 2), 0, 0),
+                                  Vector3d(3 * p + (is_cut[p] ? depth : 2), 0, 0),
                                   Vector3d::UnitX()});
         return result;
     }
 };
 
 // A solid, and after it one that is equal but for a single pair, for two pairs that are exchanged,
-// for all pairs but one, for its height or for where its list begins; then the solid again, and so
-// on.
+// for all pairs but one, for its height, for the depth of its cracks, or for where its list begins;
+// then the solid again, and so on.
 std::vector<Pairs> similar_solids(Random& random, int size)
 {
     Pairs first;
@@ -101,6 +102,7 @@ std::vector<Pairs> similar_solids(Random& random, int size)
         });
     }
     add([](Pairs& solid, int) { solid.height = 2; });
+    add([](Pairs& solid, int) { solid.depth = 0.25; });
     add([](Pairs& solid, int p) { solid.turn += p == 0; });
     return result;
 }
@@ -142,6 +144,12 @@ TEST_CASE("fracture: through elements nothing of an earlier solid is remembered"
                       solid.size();
         const SplitMesh result = split_element(mesh, 8 * p, n);
         check_new_vertices(mesh, result, 8 * p, n);
+        for (std::size_t v = 0; v < result.origins.size(); ++v) {
+            const auto& [first, second, t] = result.origins[v];
+            const Vector3d place = (1 - t) * mesh.vertices[first] + t * mesh.vertices[second];
+            INFO("where a vertex is, by its origin");
+            REQUIRE_THAT(result.mesh.vertices[v], IsClose(place, Rounding(8, size_of(mesh))));
+        }
         for (const int side : {0, 1})
             check_count(std::count(result.parents.begin(), result.parents.end(),
                                    solid.tetrahedron(p, side)),
@@ -158,8 +166,30 @@ TEST_CASE("fracture: with virtual nodes nothing of an earlier solid is remembere
     for_similar_solids([](const Pairs& solid) {
         const TetrahedralMesh mesh = solid.mesh();
         EmbeddedMesh result = virtual_nodes(mesh, solid.cracks());
-        check_copies(mesh, solid.cracks(), result);
         const auto joined = std::count(solid.is_joined.begin(), solid.is_joined.end(), true);
+        check_count(tetrahedron_count(result.mesh), std::ssize(result.parents),
+                    "tetrahedra, one for each parent");
+        check_count(result.real.size(), std::ssize(result.parents),
+                    "rows of `real`, one for each copy");
+        check_that(vertex_count(result.mesh) >= vertex_count(mesh),
+                   "at least the vertices of the mesh before, some of them unused");
+        check_copies(mesh, solid.cracks(), result);
+        const double x = solid.depth;
+        const double beyond[] = // shares of the two beyond a crack
+            {(1 - x) * (1 - x) * (1 - x), 1 - x * x * (3 - 2 * x)};
+        std::vector<double> shares(result.parents.size(), 1.0);
+        for (int p = 0; p < solid.size(); ++p)
+            for (const int side : {0, 1})
+                for (std::size_t i = 0; i < shares.size(); ++i) {
+                    if (result.parents[i] != solid.tetrahedron(p, side) || !solid.is_cut[p])
+                        continue;
+                    // corner 1 of either tetrahedron is at x = 1
+                    shares[i] = result.real[i][1] == 1 ? beyond[side] : 1 - beyond[side];
+                }
+        check_shares(result, shares, Rounding(32, 1));
+        for (std::size_t i = 0; i < shares.size(); ++i)
+            REQUIRE_THAT(corners_of(result.mesh, static_cast<int>(i)),
+                         IsExactly(corners_of(mesh, result.parents[i])));
         result.mesh.vertices.resize(result.mesh.vertices.size() -
                                     3 * static_cast<std::size_t>(joined)); // the unused ones
         check_vertices(mesh, result);
