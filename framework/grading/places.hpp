@@ -18,6 +18,10 @@ struct Places {
 /// The source tree and the build folder from which this program was built.
 const Places& places();
 
+/// Requires that neither folder lies where a submission's compiler may read: in a folder of the
+/// system such as /usr, or below one. @throws InputError otherwise
+void require_hidden(const Places& places);
+
 /// A lock on a build folder, held while this object lives, so that one process at a time writes
 /// there; the script `rigor` takes the same lock. If another process holds it, the constructor
 /// prints a note on stderr and waits.

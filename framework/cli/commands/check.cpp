@@ -69,6 +69,7 @@ int check(const CheckOptions& options)
 {
     const std::vector<Selection> selections =
         select_tasks(load_assignments(places().assignments()), options.what);
+    if (options.with != "student" && options.with != "reference") require_hidden(places());
     const Implementation implementation = prepared_implementation(options.with);
     for (const Selection& selection : selections)
         if (!options.what.empty()) require_own_file(selection, implementation);

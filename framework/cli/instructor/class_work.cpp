@@ -41,6 +41,7 @@ std::string warning_about_stubs(const std::string& topic)
 ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
                               const std::string& secret_file)
 {
+    require_hidden(places());
     ClassWork work;
     work.selection = selection;
     work.run = prepared_grading_run();

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cli/command_line.hpp"
 
+#include <csignal>
+
 int main(int argc, char** argv)
 {
+    // If whoever starts this program ignores the end of children, so would this program, and it
+    // would never learn how a compiler or a worker ended.
+    std::signal(SIGCHLD, SIG_DFL);
     return rigor::run_command_line(argc, argv);
 }

@@ -26,7 +26,8 @@ namespace rigor::confine {
 namespace {
 
 // The paths of a system in which a compiler, its assembler and its linker have their parts. Paths
-// that do not exist are left out.
+// that do not exist are left out. A tree that grades must lie elsewhere (`require_hidden` in
+// grading/places.hpp).
 struct SystemPath {
     const char* name;
     Access access;

@@ -83,13 +83,13 @@ template <FormulaIndex f, auto& formula> void check_small_entries()
         }
         for (const int power : small) {
             const Components result = result_at(power);
-            for (std::size_t i = 0; i < whole.numbers.size(); ++i) {
-                if (!is_proportional[i] || result.numbers[i] != 0) continue;
-                check_that(false, fmt::format("{} has no smallest number: a number of the result "
-                                              "that is proportional to one of the arguments is not "
-                                              "0 where this is 2^-{} times as large",
-                                              name_of(f), power));
-            }
+            check_count(result.numbers.size(), whole.numbers.size(), "numbers, as for other calls");
+            for (std::size_t i = 0; i < whole.numbers.size(); ++i)
+                check_that(!is_proportional[i] || result.numbers[i] != 0,
+                           fmt::format("{} has no smallest number: a number of the result that is "
+                                       "proportional to one of the arguments is not 0 where this "
+                                       "is 2^-{} times as large",
+                                       name_of(f), power));
         }
     }
 }

@@ -4,6 +4,7 @@
 #include "errors/input_error.hpp"
 #include "errors/printable.hpp"
 #include "errors/quotes.hpp"
+#include "errors/utf8.hpp"
 #include "grading/class/environment.hpp"
 #include "report/write_whole.hpp"
 
@@ -24,6 +25,16 @@ std::optional<std::string> text_in(const fs::path& file)
     std::ifstream in(file, std::ios::binary);
     if (!in) return {};
     return std::string{std::istreambuf_iterator<char>(in), {}};
+}
+
+// @throws InputError if the path is not UTF-8, because a plan cannot hold it
+std::string in_plan(const fs::path& path)
+{
+    const std::string text = path.string();
+    if (!is_plain_utf8(text))
+        throw InputError("expected a path in UTF-8 without control characters, found " +
+                         in_quotes(text));
+    return text;
 }
 
 // Names of the files in a folder, without the files that are still being written (ending `.new`).
@@ -82,16 +93,20 @@ void SharedFolder::remove() const
 fs::path SharedFolder::write_plan(const Plan& plan) const
 {
     Json submissions = Json::array();
-    for (std::size_t i = 0; i < plan.submissions.size(); ++i)
-        submissions.push_back({{"name", plan.submissions[i].name},
-                               {"path", plan.submissions[i].path.string()},
-                               {"refusal", plan.submissions[i].refusal},
+    for (std::size_t i = 0; i < plan.submissions.size(); ++i) {
+        const Submission& submission = plan.submissions[i];
+        // one that is refused is not read, whatever its name is
+        const std::string path = submission.refusal.empty() ? in_plan(submission.path) : "";
+        submissions.push_back({{"name", submission.name},
+                               {"path", path},
+                               {"refusal", submission.refusal},
                                {"fingerprint", plan.fingerprints[i]}});
+    }
     const Json json = {{"round", plan.round},
                        {"assignment", plan.assignment},
-                       {"out", plan.out},
+                       {"out", in_plan(plan.out)},
                        {"seed", plan.seed},
-                       {"secret_file", plan.secret_file},
+                       {"secret_file", in_plan(plan.secret_file)},
                        {"fingerprint", plan.fingerprint},
                        {"submissions", submissions},
                        {"chunks", plan.chunks}};

@@ -19,7 +19,8 @@ TEST_CASE("slurm: a plan comes back as it was written", "[class][slurm]")
     plan.secret_file = "/home/course/secret";
     plan.seed = 4000000000u;
     plan.fingerprint = 0xfedcba9876543210u;
-    plan.submissions = {{"alice", "/in/alice.zip", ""}, {"bob \"b\"", "/in/bob", "found two"}};
+    plan.submissions = {{"bob \"b\"", "/in/bob", ""},
+                        {"carol\\xff", "/in/carol\xff", "expected a name in UTF-8"}};
     plan.fingerprints = {"0001", "0002"};
     plan.chunks = {{1}, {0}};
     const slurm::Plan read = slurm::read_plan(shared.write_plan(plan));
@@ -30,11 +31,30 @@ TEST_CASE("slurm: a plan comes back as it was written", "[class][slurm]")
     CHECK(read.seed == plan.seed);
     CHECK(read.fingerprint == plan.fingerprint);
     REQUIRE(read.submissions.size() == 2);
-    CHECK(read.submissions[1].name == plan.submissions[1].name);
-    CHECK(read.submissions[1].path == plan.submissions[1].path);
-    CHECK(read.submissions[1].refusal == plan.submissions[1].refusal);
+    for (int i = 0; i < 2; ++i) {
+        CHECK(read.submissions[i].name == plan.submissions[i].name);
+        CHECK(read.submissions[i].refusal == plan.submissions[i].refusal);
+    }
+    CHECK(read.submissions[0].path == plan.submissions[0].path);
+    CHECK(read.submissions[1].path.empty()); // it is not read
     CHECK(read.fingerprints == plan.fingerprints);
     CHECK(read.chunks == plan.chunks);
+}
+
+TEST_CASE("slurm: a class in a folder that no plan can name is refused", "[class][slurm]")
+{
+    const TemporaryFolder folder;
+    const slurm::SharedFolder shared(folder.path());
+    shared.make();
+    slurm::Plan plan;
+    plan.out = folder.path().string();
+    plan.submissions = {{"alice", "/in\xff/alice", ""}};
+    plan.fingerprints = {"0001"};
+    plan.chunks = {{0}};
+    CHECK_THROWS_AS(shared.write_plan(plan), InputError);
+    plan.submissions.clear();
+    plan.out = "/out\xff";
+    CHECK_THROWS_AS(shared.write_plan(plan), InputError);
 }
 
 TEST_CASE("slurm: what is no plan is one clear error", "[class][slurm]")
