@@ -1,13 +1,40 @@
 // SPDX-License-Identifier: MIT
-// A1: particles and forces at X itself, at the origin, and several at one place; lists that are
-// empty after others that were not.
+// A1: quarter and half turns of a body that spins; particles and forces at X itself, at the origin,
+// and several at one place; lists that are empty after others that were not.
 #include "formulas/kinematics.hpp"
 #include "support/close.hpp"
+#include "support/in_words.hpp"
+
+#include <array>
 
 namespace kinematics_special_inputs_test {
 
 using namespace rigor;
 using namespace rigor::testing;
+
+TEST_CASE("kinematics: any spin of a body in one of the 24 turns of a cube", "[A1.4][kinematics]")
+{
+    // the rows of R are axes, in any order and with any signs that make no mirror image
+    int turns = 0;
+    for (const std::array<int, 3>& order :
+         {std::array{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}})
+        for (int signs = 0; signs < 8; ++signs) {
+            Matrix3d R = Matrix3d::Zero();
+            for (int i = 0; i < 3; ++i)
+                R(i, order[i]) = (signs >> i & 1) ? -1 : 1;
+            if (R.row(0).cross(R.row(1)) != R.row(2)) continue;
+            ++turns;
+            for (int k = 0; k < 27; ++k) {
+                const Vector3d omega(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+                Matrix3d R_dot; // each axis e of the body moves with the velocity ω × e
+                for (int i = 0; i < 3; ++i)
+                    R_dot.col(i) = omega.cross(R.col(i));
+                CAPTURE(omega);
+                REQUIRE_THAT(angular_velocity(R_dot, R), IsClose(omega, Rounding(8, 1)));
+            }
+        }
+    check_count(turns, 24, "turns of a cube");
+}
 
 TEST_CASE("kinematics: a particle at X has mass but no moment", "[A1.7][kinematics]")
 {
