@@ -24,6 +24,8 @@ public:
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;
 
+    const std::filesystem::path& path() const { return folder_; }
+
 private:
     std::filesystem::path folder_;
 };

@@ -225,6 +225,22 @@ void link_worker(Link& link, const fs::path& folder,
     key.write(link.key(), build.undefined);
 }
 
+// Gives the objects of another folder a second name in the folder `into`, from where they are
+// linked. This folder's lock must still be held: without it, another rigor may compile these files
+// again, which removes the objects from their own place.
+void keep_objects(std::map<std::string, CompiledTopic>& compiled, const fs::path& into)
+{
+    for (auto& [topic, object] : compiled) {
+        if (!object.errors.empty()) continue;
+        const fs::path kept = into / object.object.filename();
+        std::error_code error; // some file systems have no hard links
+        fs::create_hard_link(object.object, kept, error);
+        if (error) fs::copy_file(object.object, kept);
+        object.object = kept;
+    }
+    let_others_read(into);
+}
+
 } // namespace
 
 SubmissionBuild build_submission(const fs::path& folder, const OnBuildStep& on_step)
@@ -240,9 +256,13 @@ SubmissionBuild build_submission(const fs::path& folder, const OnBuildStep& on_s
     for (const std::string& topic : topics())
         if (!own.has(topic) && fs::exists(student / (topic + ".cpp")))
             build.borrowed.push_back(topic);
+    const ScratchFolder lent(own.place() / "lent");
     if (!build.borrowed.empty()) {
         CompiledFolder lender(student, tools);
-        compiled.merge(lender.compile(build.borrowed, on_step, build.steps));
+        std::map<std::string, CompiledTopic> objects =
+            lender.compile(build.borrowed, on_step, build.steps);
+        keep_objects(objects, lent.path());
+        compiled.merge(objects);
     }
     for (const auto& [topic, object] : compiled)
         if (!object.errors.empty()) build.broken[topic] = object.errors;

@@ -265,9 +265,11 @@ bool is_plain_file(const fs::path& path)
 void take_over(const fs::path& made, const fs::path& place)
 {
     if (!is_plain_file(made)) throw std::runtime_error(made.string() + ": expected a file");
-    fs::remove(place);
-    fs::copy_file(made, place);
-    await_no_writer(place);
+    const fs::path draft = place.string() + ".new";
+    fs::remove(draft);
+    fs::copy_file(made, draft);
+    await_no_writer(draft);
+    fs::rename(draft, place);
     fs::remove(made);
 }
 

@@ -73,7 +73,8 @@ std::string why_it_does_not_start(const std::filesystem::path& worker);
 bool is_plain_file(const std::filesystem::path& path);
 
 /// Copies a file that a tool made to `place`, and removes the original. The tool may still have the
-/// original open, but it cannot write to the copy.
+/// original open, but it cannot write to the copy. At any time there is the old file or the whole
+/// new one at `place`; other names (hard links) of the old file keep the old content.
 void take_over(const std::filesystem::path& made, const std::filesystem::path& place);
 
 /// Lets every user read a file, or a folder with its files: a tool may run as another user, and the

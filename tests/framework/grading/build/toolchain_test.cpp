@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "grading/build/toolchain.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
+#include <atomic>
+#include <thread>
 #include <unistd.h>
 
 namespace rigor::testing::toolchain_test {
@@ -27,6 +30,28 @@ TEST_CASE("toolchain: all tools that run at a time find room in the machine's me
     constexpr double least = 1 << 30; // what a compiler needs anyway [bytes]
     CHECK(static_cast<double>(memory_of_a_tool()) * 2 * processors <=
           std::max(all, least * 2 * processors));
+}
+
+TEST_CASE("toolchain: a file that is taken over is whole at any time", "[build]")
+{
+    const TemporaryFolder folder;
+    const std::string content(std::size_t{1} << 20, 'x');
+    const std::filesystem::path place = folder.write("worker", content);
+    std::atomic<bool> is_over = false;
+    std::atomic<int> looks = 0, incomplete = 0;
+    std::thread reader([&] {
+        for (; !is_over; ++looks) {
+            std::error_code error;
+            const std::uintmax_t size = std::filesystem::file_size(place, error);
+            incomplete += error || size != content.size() ? 1 : 0;
+        }
+    });
+    for (int i = 0; i < 100; ++i)
+        take_over(folder.write("out/worker", content), place);
+    is_over = true;
+    reader.join();
+    CHECK(looks > 0);
+    CHECK(incomplete == 0);
 }
 
 } // namespace rigor::testing::toolchain_test
