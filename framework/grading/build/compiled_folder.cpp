@@ -11,6 +11,7 @@
 #include "grading/build/lines.hpp"
 #include "grading/build/scratch_folder.hpp"
 #include "grading/build/shown_errors.hpp"
+#include "grading/build/write_file.hpp"
 #include "grading/topics.hpp"
 #include "sandbox/blocked_calls.hpp"
 
@@ -134,10 +135,12 @@ std::vector<std::string> KeyFile::lines() const
 
 void KeyFile::write(std::uint64_t key, const std::vector<std::string>& lines) const
 {
-    std::ofstream out(file_);
-    out << fmt::format("{:016x}\n", key);
+    std::string text = fmt::format("{:016x}\n", key);
     for (const std::string& line : lines)
-        out << line << '\n';
+        text += line + '\n';
+    const fs::path draft = file_.string() + ".new";
+    write_file(draft, text);
+    fs::rename(draft, file_);
 }
 
 fs::path CompiledFolder::place_of(const fs::path& folder)

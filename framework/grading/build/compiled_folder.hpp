@@ -24,6 +24,8 @@ public:
     explicit KeyFile(std::filesystem::path file) : file_(std::move(file)) {}
     bool holds(std::uint64_t key) const;
     std::vector<std::string> lines() const;
+    /// Replaces the file at once, so a key that holds is followed by all of its lines.
+    /// @throws std::runtime_error or std::filesystem::filesystem_error if it cannot be written
     void write(std::uint64_t key, const std::vector<std::string>& lines) const;
     const std::filesystem::path& file() const { return file_; }
 

@@ -4,6 +4,7 @@
 #include "grading/build/submission_files.hpp"
 
 #include "errors/utf8.hpp"
+#include "grading/build/write_file.hpp"
 #include "grading/intake/plain_file.hpp"
 #include "grading/intake/refused.hpp"
 #include "grading/places.hpp"
@@ -16,7 +17,6 @@
 #include <optional>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 
 namespace rigor {
 
@@ -67,10 +67,7 @@ void write_if_changed(const fs::path& file, const std::string& text)
     content << old.rdbuf();
     if (old && content.str() == text) return;
     fs::create_directories(file.parent_path());
-    std::ofstream copy(file, std::ios::binary);
-    copy << text << std::flush;
-    // Writing fails, for example, when the disk is full.
-    if (!copy) throw std::runtime_error(file.string() + ": cannot be written");
+    write_file(file, text);
 }
 
 // Writes the files of a submission to the folder `into`. `remove_others` removes what an earlier

@@ -4,6 +4,7 @@
 #include "errors/input_error.hpp"
 #include "grading/build/await_no_writer.hpp"
 #include "grading/build/ninja.hpp"
+#include "grading/build/write_file.hpp"
 #include "grading/places.hpp"
 #include "sandbox/blocked_calls.hpp"
 
@@ -13,7 +14,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
 #include <thread>
 #include <unistd.h>
@@ -217,7 +217,8 @@ ConfinedRun make_local(const fs::path& object, const std::vector<std::string>& n
                        const fs::path& copy)
 {
     const fs::path out = copy.parent_path(), list = copy.string() + ".names";
-    std::ofstream(list) << fmt::format("{}\n", fmt::join(names, "\n"));
+    // With a part of the list, objcopy would leave some names visible without a word.
+    write_file(list, fmt::format("{}\n", fmt::join(names, "\n")));
     const auto copied = [&](const std::string& option, const fs::path& from, const fs::path& to) {
         return run_tool({{"/usr/bin/objcopy", option + list.string(), from.string(), to.string()},
                          out,

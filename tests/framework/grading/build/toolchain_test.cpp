@@ -54,4 +54,13 @@ TEST_CASE("toolchain: a file that is taken over is whole at any time", "[build]"
     CHECK(incomplete == 0);
 }
 
+TEST_CASE("toolchain: names are hidden only if the whole list of them can be written", "[build]")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path copy = folder.path() / "copy.o";
+    std::filesystem::create_symlink("/dev/full", copy.string() + ".names");
+    CHECK_THROWS_WITH(make_local(folder.write("object.o", ""), {"helper"}, copy),
+                      copy.string() + ".names: cannot be written");
+}
+
 } // namespace rigor::testing::toolchain_test
