@@ -181,6 +181,22 @@ KeyFile CompiledFolder::key_of(const std::string& topic) const
     return KeyFile(place_ / (topic + ".key"));
 }
 
+// The key of an object whose file includes another topic's file, from the key that it would have
+// otherwise. It changes with every file.
+std::uint64_t CompiledFolder::key_with_others(std::uint64_t key) const
+{
+    return hash_of(files_.digest, key);
+}
+
+// The names of all topics' files but one.
+std::vector<std::string> CompiledFolder::files_beside(const std::string& topic) const
+{
+    std::vector<std::string> names;
+    for (const std::string& other : files_.topics)
+        if (other != topic) names.push_back(other + ".cpp");
+    return names;
+}
+
 // The object that an earlier run compiled. Its `errors` are not empty if there is no such object or
 // if it is out of date.
 CompiledTopic CompiledFolder::up_to_date(const std::string& topic) const
@@ -188,7 +204,9 @@ CompiledTopic CompiledFolder::up_to_date(const std::string& topic) const
     CompiledTopic compiled{object_of(topic), {}, 0, "out of date"};
     compiled.key = hash_of(content_of(place_ / "files" / (topic + ".cpp")), surroundings_);
     const KeyFile key = key_of(topic);
-    if (!fs::exists(compiled.object) || !key.holds(compiled.key)) return compiled;
+    const bool has_others = key.holds(key_with_others(compiled.key));
+    if (!fs::exists(compiled.object) || (!has_others && !key.holds(compiled.key))) return compiled;
+    if (has_others) compiled.key = key_with_others(compiled.key);
     compiled.symbols = parse_symbols(fmt::format("{}", fmt::join(key.lines(), "\n")));
     compiled.errors.clear();
     return compiled;
@@ -235,6 +253,8 @@ void CompiledFolder::compile_topic(const std::string& topic, CompiledTopic& comp
         compiled.errors = file + ": its inline functions cannot be kept apart from other files'\n";
         return;
     }
+    if (includes_one_of(files_beside(topic), list, compiler.folder))
+        compiled.key = key_with_others(compiled.key);
     take_over(own, compiled.object);
     key_of(topic).write(compiled.key, lines_of(names.output));
 }

@@ -71,14 +71,16 @@ private:
     void compile_topic(const std::string& topic, CompiledTopic& compiled) const;
     std::filesystem::path object_of(const std::string& topic) const;
     KeyFile key_of(const std::string& topic) const;
+    std::uint64_t key_with_others(std::uint64_t key) const;
+    std::vector<std::string> files_beside(const std::string& topic) const;
 
     const Toolchain& tools_;
     std::filesystem::path place_;
     BuildLock lock_;
     SubmissionFiles files_;
     // A hash of what every object depends on: the compiler's command, the headers of
-    // framework/formulas, no_file_queries.hpp, the precompiled header, and the copied files that
-    // are no topic's file.
+    // framework/formulas, no_file_queries.hpp, the precompiled header, the copied files that are no
+    // topic's file, and which topics' files there are.
     std::uint64_t surroundings_;
 };
 

@@ -106,4 +106,17 @@ std::string forbidden_include(const fs::path& list, const fs::path& folder)
     return {};
 }
 
+bool includes_one_of(const std::vector<std::string>& names, const fs::path& list,
+                     const fs::path& folder)
+{
+    const fs::path own = fs::weakly_canonical(folder);
+    const auto is_one_of_them = [&](const std::string& file) {
+        const fs::path found = fs::weakly_canonical(own / file);
+        return std::any_of(names.begin(), names.end(),
+                           [&](const std::string& name) { return found == own / name; });
+    };
+    const std::vector<std::string> files = listed_files(list);
+    return std::any_of(files.begin(), files.end(), is_one_of_them);
+}
+
 } // namespace rigor

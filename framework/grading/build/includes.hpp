@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace rigor {
 
@@ -19,5 +20,9 @@ namespace rigor {
 /// @throws std::runtime_error if there is no list
 std::string forbidden_include(const std::filesystem::path& list,
                               const std::filesystem::path& folder);
+
+/// Whether the compiler's list has one of these files of `folder`.
+bool includes_one_of(const std::vector<std::string>& names, const std::filesystem::path& list,
+                     const std::filesystem::path& folder);
 
 } // namespace rigor

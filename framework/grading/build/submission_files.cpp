@@ -51,15 +51,6 @@ Content read_file(const fs::path& file)
     }
 }
 
-// Whether a file has the ending of a header or a source, so that the file of a topic may include
-// it.
-bool is_code(const fs::path& file)
-{
-    static const std::set<std::string> endings = {".hpp", ".h",   ".hh",  ".hxx", ".inl",
-                                                  ".ipp", ".inc", ".cpp", ".cc"};
-    return endings.count(file.extension().string()) > 0;
-}
-
 void write_if_changed(const fs::path& file, const std::string& text)
 {
     std::ifstream old(file, std::ios::binary);
@@ -127,6 +118,13 @@ std::vector<fs::path> other_sources(const fs::path& folder)
 
 } // namespace
 
+bool is_code(const fs::path& file)
+{
+    static const std::set<std::string> endings = {".hpp", ".h",   ".hh",  ".hxx", ".inl",
+                                                  ".ipp", ".inc", ".cpp", ".cc"};
+    return endings.count(file.extension().string()) > 0;
+}
+
 SubmissionFiles take_files(const fs::path& folder, const fs::path& into)
 {
     SubmissionFiles files;
@@ -139,6 +137,7 @@ SubmissionFiles take_files(const fs::path& folder, const fs::path& into)
         if (content.text) {
             taken.add(name, *content.text);
             files.topics.push_back(topic);
+            files.hash = hash_of(name.string() + '\0', files.hash);
         } else {
             files.refused[topic] = name.string() + ": " + content.refusal + "\n";
         }

@@ -15,7 +15,7 @@ namespace rigor {
 struct SubmissionFiles {
     std::vector<std::string> topics;            // the topics whose file was copied
     std::map<std::string, std::string> refused; // by topic, why its file was not copied
-    /// A hash of the names and contents of all copied files except those of topics.
+    /// A hash of the names of all copied files, and of the contents of those that are no topic's.
     std::uint64_t hash = 0;
     std::string digest; // SHA-256 of names and contents of all copied files
 };
@@ -23,6 +23,10 @@ struct SubmissionFiles {
 /// Copies the topics' files of a folder, and its headers and other sources that these may include,
 /// to the folder `into`, which has nothing else afterwards. Links are not followed.
 SubmissionFiles take_files(const std::filesystem::path& folder, const std::filesystem::path& into);
+
+/// Whether a file has the ending of a header or a source, so that the file of a topic may include
+/// it.
+bool is_code(const std::filesystem::path& file);
 
 /// A hash of `text` that continues from `start` (FNV-1a of Fowler, Noll and Vo). It gives private
 /// folders their names and shows what is out of date. It is not cryptographic, but a student who

@@ -2,7 +2,6 @@
 #include "grading/class/fingerprint.hpp"
 
 #include "grading/build/submission_files.hpp"
-#include "grading/build/toolchain.hpp"
 #include "grading/intake/folder.hpp"
 #include "grading/intake/intake.hpp"
 #include "grading/intake/plain_file.hpp"
@@ -14,6 +13,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
+#include <functional>
+#include <set>
 #include <vector>
 
 namespace rigor {
@@ -50,24 +51,44 @@ std::uint64_t hash_of_handed_in(const fs::path& path, std::uint64_t hash)
     }
 }
 
-// The hash of all files with one of these endings in a folder and below, in the order of the names.
-std::uint64_t hash_of_folder(const fs::path& folder, const std::vector<std::string>& endings,
+// The hash of all files of a kind in a folder and below, in the order of the names.
+std::uint64_t hash_of_folder(const fs::path& folder,
+                             const std::function<bool(const fs::path&)>& is_wanted,
                              std::uint64_t hash)
 {
     std::vector<fs::path> files;
     std::error_code error;
     for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error))
-        if (std::find(endings.begin(), endings.end(), entry->path().extension().string()) !=
-            endings.end())
-            files.push_back(entry->path());
+        if (is_wanted(entry->path())) files.push_back(entry->path());
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files)
         hash = hash_of_file(file, hash_of(file.lexically_relative(folder).string(), hash));
     return hash;
 }
 
+// Whether a file is a scene or a mesh.
+bool is_of_a_scene(const fs::path& file)
+{
+    static const std::set<std::string> endings = {".json", ".obj", ".off", ".stl", ".msh", ".mesh"};
+    return endings.count(file.extension().string()) > 0;
+}
+
 } // namespace
+
+std::uint64_t hash_of_sources(const fs::path& folder, std::uint64_t hash)
+{
+    return hash_of_folder(folder, is_code, hash);
+}
+
+std::uint64_t hash_of_tools(const Toolchain& tools, std::uint64_t hash)
+{
+    hash = hash_of_file(tools.compile[0], hash);
+    for (const std::vector<std::string>& command : {tools.compile, tools.link})
+        for (const std::string& word : command)
+            hash = hash_of(word + '\0', hash);
+    return hash_of_file(no_file_queries(), hash);
+}
 
 std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run)
 {
@@ -75,18 +96,16 @@ std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run)
     for (const std::string& tag : selection.tags)
         hash = hash_of(tag + ";", hash);
     hash = hash_of(fmt::format("seed {} walls {}", run.seed, description(usual_tier())), hash);
-    const std::string compiler = student_toolchain().compile[0];
-    hash = hash_of_file(compiler, hash_of(compiler, hash));
+    hash = hash_of_tools(student_toolchain(), hash);
     if (!run.secret.empty()) hash = hash_of(hmac_sha256(run.secret, "fingerprint"), hash);
     hash = hash_of_file("/proc/self/exe", hash);
     hash = hash_of_file(run.test_program, hash);
     hash = run.oracle ? hash_of_file(*run.oracle, hash) : hash_of("no oracle", hash);
     hash = hash_of_file(places().build / "framework/students_worker.o", hash);
     hash = hash_of_file(places().program("confine"), hash);
-    hash = hash_of_folder(places().source / "framework/formulas", {".hpp"}, hash);
-    hash = hash_of_folder(places().source / "student", {".cpp", ".hpp", ".h"}, hash);
-    return hash_of_folder(places().assignments(),
-                          {".json", ".obj", ".off", ".stl", ".msh", ".mesh"}, hash);
+    hash = hash_of_sources(places().source / "framework/formulas", hash);
+    hash = hash_of_sources(places().source / "student", hash);
+    return hash_of_folder(places().assignments(), is_of_a_scene, hash);
 }
 
 bool is_of_the_same_tests(const std::string& fingerprint, std::uint64_t all_but_the_submission)

@@ -3,11 +3,13 @@
 // the same, the submission is not graded again.
 #pragma once
 
+#include "grading/build/toolchain.hpp"
 #include "grading/intake/found_submissions.hpp"
 #include "grading/run_tests.hpp"
 #include "grading/selection.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 namespace rigor {
@@ -17,6 +19,14 @@ namespace rigor {
 /// in for missing files of submissions, the scenes, the seed, the secret, the compiler and the
 /// sandbox.
 std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run);
+
+/// The part of it for a folder with headers and sources, continued from `hash`: the names and
+/// contents of all files that a topic's file may include.
+std::uint64_t hash_of_sources(const std::filesystem::path& folder, std::uint64_t hash);
+
+/// The part of it for how submissions are compiled and linked, continued from `hash`: the compiler,
+/// both commands, and the header that is included before each file.
+std::uint64_t hash_of_tools(const Toolchain& tools, std::uint64_t hash);
 
 /// The fingerprint of a submission's result: two hashes of 16 hexadecimal digits, first
 /// `all_but_the_submission`, then a hash of this number and of the submission. An archive is hashed

@@ -4,6 +4,8 @@
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <algorithm>
+
 namespace rigor::testing::compiled_folder_test {
 
 namespace fs = std::filesystem;
@@ -35,6 +37,51 @@ TEST_CASE("compiled folder: nobody sees a key without the lines that belong to i
     CHECK(KeyFile(folder.path() / "seen").lines() == old);
     CHECK(key.holds(2));
     CHECK(key.lines().size() == 2);
+}
+
+TEST_CASE("compiled folder: a file is compiled again if a topic's file that it includes changes",
+          "[build]")
+{
+    const TemporaryFolder folder;
+    const Toolchain tools = student_toolchain();
+    using Steps = std::vector<std::string>;
+    const auto compile = [&] {
+        Steps steps;
+        CompiledFolder compiled(folder.path(), tools);
+        for (const auto& [topic, object] :
+             compiled.compile({"collision", "contact", "inertia"}, {}, steps))
+            CHECK(object.errors.empty());
+        std::sort(steps.begin(), steps.end());
+        return steps;
+    };
+    folder.write("collision.cpp", "inline int a() { return 1; }\n");
+    folder.write("contact.cpp", "#include \"collision.cpp\"\nint b() { return a(); }\n");
+    folder.write("inertia.cpp", "int c;\n");
+    CHECK(compile().size() == 3);
+    CHECK(compile() == Steps());
+    folder.write("collision.cpp", "inline int a() { return 2; }\n");
+    CHECK(compile() == Steps{"Building collision.cpp", "Building contact.cpp"});
+    CHECK(compile() == Steps());
+    folder.write("contact.cpp", "int b() { return 3; }\n");
+    CHECK(compile() == Steps{"Building contact.cpp"});
+    folder.write("collision.cpp", "inline int a() { return 3; }\n");
+    CHECK(compile() == Steps{"Building collision.cpp"});
+    fs::remove_all(CompiledFolder::place_of(folder.path()));
+}
+
+TEST_CASE("compiled folder: a file is compiled again if it asks for one that is there now",
+          "[build]")
+{
+    const TemporaryFolder folder;
+    const Toolchain tools = student_toolchain();
+    std::vector<std::string> steps;
+    folder.write("contact.cpp", "#if __has_include(\"collision.cpp\")\nint b;\n#endif\n");
+    CompiledFolder(folder.path(), tools).compile({"contact"}, {}, steps);
+    CHECK(steps.size() == 1);
+    folder.write("collision.cpp", "");
+    CompiledFolder(folder.path(), tools).compile({"contact"}, {}, steps);
+    CHECK(steps.size() == 2);
+    fs::remove_all(CompiledFolder::place_of(folder.path()));
 }
 
 } // namespace rigor::testing::compiled_folder_test

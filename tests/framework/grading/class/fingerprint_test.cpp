@@ -34,4 +34,35 @@ TEST_CASE("fingerprint: an archive that is too large costs no time", "[class]")
     }
 }
 
+TEST_CASE("fingerprint: it changes with each file of student/ that can be included", "[class]")
+{
+    const TemporaryFolder folder;
+    folder.write("inertia.cpp", "#include \"own/table.inl\"\n");
+    for (const char* name : {"own/table.inl", "a.inc", "a.hxx", "a.hh", "a.ipp", "a.cc", "a.h"}) {
+        CAPTURE(name);
+        const std::uint64_t without = hash_of_sources(folder.path(), 1);
+        folder.write(name, "1");
+        const std::uint64_t one = hash_of_sources(folder.path(), 1);
+        folder.write(name, "2");
+        CHECK(one != without);
+        CHECK(hash_of_sources(folder.path(), 1) != one);
+    }
+    const std::uint64_t before = hash_of_sources(folder.path(), 1);
+    folder.write("notes.txt", "3");
+    CHECK(hash_of_sources(folder.path(), 1) == before);
+}
+
+TEST_CASE("fingerprint: it changes with each option of the compiler and the linker", "[class]")
+{
+    const Toolchain tools{{"/no/compiler", "-O1"}, {"/no/compiler", "-lm"}, {}, {}};
+    const std::uint64_t before = hash_of_tools(tools, 1);
+    CHECK(hash_of_tools(tools, 1) == before);
+    Toolchain other = tools;
+    other.compile[1] = "-O2";
+    CHECK(hash_of_tools(other, 1) != before);
+    other = tools;
+    other.link.emplace_back("-static");
+    CHECK(hash_of_tools(other, 1) != before);
+}
+
 } // namespace rigor::testing::fingerprint_test
