@@ -24,6 +24,19 @@ std::string undefined_names_of(const Implementation& implementation)
     return text;
 }
 
+std::string left_out_of(const Implementation& implementation)
+{
+    constexpr std::size_t most_names = 5;
+    const std::vector<std::string>& names = implementation.left_out;
+    const std::size_t shown = std::min(names.size(), most_names);
+    std::string text;
+    for (std::size_t i = 0; i < shown; ++i)
+        text += fmt::format("left out: {}/{}\n", implementation.name, names[i]);
+    if (names.size() > shown)
+        text += fmt::format("left out: {} more files\n", names.size() - shown);
+    return text;
+}
+
 } // namespace
 
 std::string build_notes(const Implementation& implementation)
@@ -35,6 +48,7 @@ std::string build_notes(const Implementation& implementation)
     if (!implementation.borrowed.empty())
         text += fmt::format("{} has no {}.cpp: what student/ has takes their place\n",
                             implementation.name, fmt::join(implementation.borrowed, ".cpp, "));
+    text += left_out_of(implementation);
     text += undefined_names_of(implementation);
     if (!implementation.build_steps.empty())
         text += fmt::format("built in {:.1f} s ({} {})\n", implementation.build_seconds,

@@ -63,6 +63,9 @@ public:
     /// SHA-256 of all files that were copied, with their names.
     const std::string& digest() const { return files_.digest; }
 
+    /// The headers and other sources that were not copied, each with the reason.
+    const std::vector<std::string>& left_out() const { return files_.left_out; }
+
     /// The private folder. The linked worker, the program that runs the formulas, is put there too.
     const std::filesystem::path& place() const { return place_; }
 

@@ -52,6 +52,7 @@ Implementation build_folder(const std::string& name, const fs::path& folder,
     result.worker = build.worker;
     result.broken = std::move(build.broken);
     result.borrowed = std::move(build.borrowed);
+    result.left_out = std::move(build.left_out);
     result.undefined = std::move(build.undefined);
     result.digest = std::move(build.digest);
     result.build_steps = std::move(build.steps);

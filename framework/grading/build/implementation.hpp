@@ -19,6 +19,7 @@ struct Implementation {
     /// without these files, and their formulas are missing in it.
     std::map<std::string, std::string> broken;
     std::vector<std::string> borrowed;  // topics that `folder` lacks, taken from student/
+    std::vector<std::string> left_out;  // headers and other sources not compiled with it, and why
     std::vector<std::string> undefined; // names that are used but defined nowhere
     /// What was built again, such as "Building inertia.cpp"; empty if everything was up to date.
     std::vector<std::string> build_steps;

@@ -251,6 +251,7 @@ SubmissionBuild build_submission(const fs::path& folder, const OnBuildStep& on_s
 
     CompiledFolder own(folder, tools);
     build.digest = own.digest();
+    build.left_out = own.left_out();
     std::map<std::string, CompiledTopic> compiled = own.compile(topics(), on_step, build.steps);
     const fs::path student = places().source / "student";
     for (const std::string& topic : topics())

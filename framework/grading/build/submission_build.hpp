@@ -18,6 +18,7 @@ struct SubmissionBuild {
     std::filesystem::path worker;
     std::map<std::string, std::string> broken; // by topic, the first errors of its file
     std::vector<std::string> borrowed;  // topics that the folder lacks; student/ has their files
+    std::vector<std::string> left_out;  // headers and other sources not copied, and why
     std::vector<std::string> undefined; // names that are used but defined nowhere
     std::vector<std::string> steps;     // what was done, such as "Building inertia.cpp"
     std::string digest;                 // SHA-256 of the folder's files

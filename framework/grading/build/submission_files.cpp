@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -26,8 +27,9 @@ namespace {
 
 // No solution comes near this limit: the longest file of the reference has about 10 kB.
 constexpr std::size_t longest_file = std::size_t{1} << 20; // [bytes]
-constexpr std::size_t most_files = 200;
-constexpr int deepest = 4; // levels of subfolders that are searched
+constexpr std::size_t most_files = 200;                    // besides the topics' files
+constexpr int deepest = 4;      // levels of subfolders that files are taken from
+constexpr int deepest_look = 8; // levels of subfolders that are searched
 
 // The content of a file, or why there is none.
 struct Content {
@@ -74,7 +76,6 @@ public:
         for (fs::path part = name; !part.empty(); part = part.parent_path())
             kept_.insert(part);
     }
-    bool is_full() const { return kept_.size() >= most_files; }
     std::string digest() const { return sha256(digests_); }
 
     void remove_others() const
@@ -94,7 +95,7 @@ private:
 };
 
 // The names of the submission's sources that are no topic's file and no header of the framework,
-// sorted.
+// sorted. They are all of them, since a folder lists its files in any order.
 std::vector<fs::path> other_sources(const fs::path& folder)
 {
     const std::vector<std::string> all = topics();
@@ -102,18 +103,30 @@ std::vector<fs::path> other_sources(const fs::path& folder)
     std::error_code error;
     const auto options = fs::directory_options::skip_permission_denied;
     for (fs::recursive_directory_iterator entry(folder, options, error), end;
-         !error && entry != end && found.size() < most_files; entry.increment(error)) {
-        if (entry.depth() >= deepest) entry.disable_recursion_pending();
+         !error && entry != end; entry.increment(error)) {
+        if (entry.depth() >= deepest_look) entry.disable_recursion_pending();
         const fs::path name = entry->path().lexically_relative(folder);
+        std::error_code gone;
+        if (!is_code(name) || entry->symlink_status(gone).type() == fs::file_type::directory)
+            continue;
         // an older or a changed header of the framework, which would be found before its own
         const bool is_framework = fs::exists(places().source / "framework" / name);
         const bool is_topic = !name.has_parent_path() && name.extension() == ".cpp" &&
                               std::find(all.begin(), all.end(), name.stem()) != all.end();
-        if (!is_topic && !is_framework && is_code(name) && is_plain_utf8(name.string()))
-            found.push_back(name);
+        if (!is_topic && !is_framework && is_plain_utf8(name.string())) found.push_back(name);
     }
     std::sort(found.begin(), found.end());
     return found;
+}
+
+// The content of a source that is no topic's file, or why it is not taken after `taken` others.
+Content content_of_other(const fs::path& folder, const fs::path& name, std::size_t taken)
+{
+    if (std::distance(name.begin(), name.end()) - 1 > deepest)
+        return {{}, fmt::format("expected at most {} folders around it", deepest)};
+    if (taken >= most_files)
+        return {{}, fmt::format("expected at most {} headers and other sources", most_files)};
+    return read_file(folder / name);
 }
 
 } // namespace
@@ -142,9 +155,14 @@ SubmissionFiles take_files(const fs::path& folder, const fs::path& into)
             files.refused[topic] = name.string() + ": " + content.refusal + "\n";
         }
     }
+    std::size_t others = 0;
     for (const fs::path& name : other_sources(folder)) {
-        const Content content = read_file(folder / name);
-        if (!content.text || taken.is_full()) continue;
+        const Content content = content_of_other(folder, name, others);
+        if (!content.text) {
+            files.left_out.push_back(name.string() + ": " + content.refusal);
+            continue;
+        }
+        ++others;
         taken.add(name, *content.text);
         files.hash = hash_of(name.string() + '\0' + *content.text, files.hash);
     }

@@ -15,6 +15,8 @@ namespace rigor {
 struct SubmissionFiles {
     std::vector<std::string> topics;            // the topics whose file was copied
     std::map<std::string, std::string> refused; // by topic, why its file was not copied
+    /// The headers and other sources that were not copied, sorted, each with the reason.
+    std::vector<std::string> left_out;
     /// A hash of the names of all copied files, and of the contents of those that are no topic's.
     std::uint64_t hash = 0;
     std::string digest; // SHA-256 of names and contents of all copied files

@@ -100,6 +100,8 @@ ResultFiles graded_submission(const Selection& selection, const Submission& subm
         result = grade(selection, implementation, run);
         if (!intake.ignored.empty())
             result.notes.push_back("ignored: " + first_names(intake.ignored));
+        if (!implementation.left_out.empty())
+            result.notes.push_back("left out: " + first_names(implementation.left_out));
     } catch (const Refused& refused) {
         result = rejected(selection, submission, run, refused.what());
     }

@@ -53,6 +53,44 @@ TEST_CASE("submission files: topics and headers are taken, the rest is not", "[b
     REQUIRE(intake.take().hash != before);
 }
 
+TEST_CASE("submission files: a header that is not taken is named with the reason", "[build]")
+{
+    const Intake intake;
+    intake.folder.write("inertia.cpp", "");
+    intake.folder.write("a/b/c/d/taken.hpp", "");
+    intake.folder.write("a/b/c/d/e/deep.hpp", "");
+    intake.folder.write("large.hpp", std::string(std::size_t{3} << 20, ' '));
+    intake.folder.write("utf16.hpp", std::string("\xFF\xFEi\0n\0", 6));
+    intake.folder.write("folder.hpp/notes.txt", "");
+    fs::create_symlink("inertia.cpp", intake.folder.path() / "link.hpp");
+    const SubmissionFiles files = intake.take();
+    REQUIRE(files.left_out == std::vector<std::string>{
+                                  "a/b/c/d/e/deep.hpp: expected at most 4 folders around it",
+                                  "large.hpp: expected at most 1024 kB, found 3072 kB",
+                                  "link.hpp: expected a file, found a link",
+                                  "utf16.hpp: expected a text in UTF-8, found UTF-16: save it as "
+                                  "UTF-8"});
+    REQUIRE(intake.copied() == std::vector<std::string>{"a/b/c/d/taken.hpp", "inertia.cpp"});
+}
+
+TEST_CASE("submission files: the first headers in the order of their names are taken", "[build]")
+{
+    const Intake intake;
+    intake.folder.write("inertia.cpp", "");
+    std::vector<std::string> expected;
+    for (int i = 0; i < 250; ++i) { // not written in the order of the names
+        const int number = 100 + i * 7 % 250;
+        intake.folder.write("own/" + std::to_string(number) + ".hpp", "");
+        if (i < 200) expected.push_back("own/" + std::to_string(100 + i) + ".hpp");
+    }
+    expected.insert(expected.begin(), "inertia.cpp");
+    const SubmissionFiles files = intake.take();
+    REQUIRE(intake.copied() == expected);
+    REQUIRE(files.left_out.size() == 50);
+    REQUIRE(files.left_out.front() ==
+            "own/300.hpp: expected at most 200 headers and other sources");
+}
+
 TEST_CASE("submission files: the framework's own headers are not taken", "[build]")
 {
     const Intake intake;
