@@ -176,6 +176,17 @@ TEST_CASE("collision: a normal impulse needs no friction and none is always enou
     REQUIRE_THAT(inside_friction_cone(Vector3d(1, 0, 0), up, 1e6), IsExactly(false));
 }
 
+TEST_CASE("collision: no impulse is inside, whatever the signs of its zeros", "[A4.7][collision]")
+{
+    for (int signs = 0; signs < 64; ++signs) {
+        const auto sign = [&](int bit) { return (signs >> bit & 1) != 0 ? -1.0 : 1.0; };
+        const Vector3d j(sign(0) * 0, sign(1) * 0, sign(2) * 0);
+        const Vector3d n = Vector3d(2 * sign(3), 3 * sign(4), 6 * sign(5)) / 7;
+        CAPTURE(j, n);
+        REQUIRE_THAT(inside_friction_cone(j, n, 0.5), IsExactly(true));
+    }
+}
+
 TEST_CASE("collision: a pulling impulse is outside the friction cone", "[A4.7][collision]")
 {
     REQUIRE_THAT(inside_friction_cone(Vector3d(0, -1, 0), up, 0.5), IsExactly(false));
