@@ -276,7 +276,8 @@ std::string next_step(const Result& result, const Implementation& implementation
 std::string source_of(const std::filesystem::path& file)
 {
     try {
-        return read_plain_file(file, IntakeLimits().source_bytes).text;
+        return read_plain_file(file.parent_path(), file.filename(), IntakeLimits().source_bytes)
+            .text;
     } catch (const Refused&) {
         return "";
     }

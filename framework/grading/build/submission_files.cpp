@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Copies the topics' files of a submission and then its other sources, and removes what an earlier
-// run has left. Each file is read as plain_file.hpp says.
+// run has left. Each folder is listed as beneath.hpp says. Each file is read as plain_file.hpp
+// says.
 #include "grading/build/submission_files.hpp"
 
 #include "errors/utf8.hpp"
 #include "grading/build/write_file.hpp"
+#include "grading/intake/beneath.hpp"
 #include "grading/intake/plain_file.hpp"
 #include "grading/intake/refused.hpp"
 #include "grading/places.hpp"
@@ -18,6 +20,8 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <sys/stat.h>
+#include <system_error>
 
 namespace rigor {
 
@@ -28,8 +32,9 @@ namespace {
 // No solution comes near this limit: the longest file of the reference has about 10 kB.
 constexpr std::size_t longest_file = std::size_t{1} << 20; // [bytes]
 constexpr std::size_t most_files = 200;                    // besides the topics' files
-constexpr int deepest = 4;      // levels of subfolders that files are taken from
-constexpr int deepest_look = 8; // levels of subfolders that are searched
+constexpr int deepest = 4;                      // levels of subfolders that files are taken from
+constexpr int deepest_look = 8;                 // levels of subfolders that are searched
+constexpr std::size_t most_entries = 1'000'000; // of a folder that is searched
 
 // The content of a file, or why there is none.
 struct Content {
@@ -37,10 +42,10 @@ struct Content {
     std::string refusal;
 };
 
-Content read_file(const fs::path& file)
+Content read_file(const fs::path& folder, const fs::path& name)
 {
     try {
-        const PlainFile read = read_plain_file(file, longest_file);
+        const PlainFile read = read_plain_file(folder, name, longest_file);
         if (read.size > longest_file)
             return {{},
                     fmt::format("expected at most {} kB, found {} kB", longest_file / 1024,
@@ -94,27 +99,43 @@ private:
     std::string digests_; // the SHA-256 of each name and text; all have the same length
 };
 
+bool is_file_of_topic(const fs::path& name)
+{
+    const std::vector<std::string> all = topics();
+    return !name.has_parent_path() && name.extension() == ".cpp" &&
+           std::find(all.begin(), all.end(), name.stem()) != all.end();
+}
+
+// Appends the names of the sources in the folder `below`, which is relative to `folder`, and in
+// its subfolders. A subfolder that cannot be read has none.
+void find_sources(const fs::path& folder, const fs::path& below, int depth,
+                  std::vector<fs::path>& found)
+{
+    std::vector<FolderEntry> entries;
+    try {
+        entries = entries_beneath(folder, below, most_entries);
+    } catch (const std::system_error&) {
+        return;
+    }
+    for (const FolderEntry& entry : entries) {
+        const fs::path name = below / entry.name;
+        if (S_ISDIR(entry.mode) && depth < deepest_look)
+            find_sources(folder, name, depth + 1, found);
+        if (!S_ISDIR(entry.mode) && is_code(name)) found.push_back(name);
+    }
+}
+
 // The names of the submission's sources that are no topic's file and no header of the framework,
 // sorted. They are all of them, since a folder lists its files in any order.
 std::vector<fs::path> other_sources(const fs::path& folder)
 {
-    const std::vector<std::string> all = topics();
     std::vector<fs::path> found;
-    std::error_code error;
-    const auto options = fs::directory_options::skip_permission_denied;
-    for (fs::recursive_directory_iterator entry(folder, options, error), end;
-         !error && entry != end; entry.increment(error)) {
-        if (entry.depth() >= deepest_look) entry.disable_recursion_pending();
-        const fs::path name = entry->path().lexically_relative(folder);
-        std::error_code gone;
-        if (!is_code(name) || entry->symlink_status(gone).type() == fs::file_type::directory)
-            continue;
+    find_sources(folder, "", 0, found);
+    std::erase_if(found, [](const fs::path& name) {
         // an older or a changed header of the framework, which would be found before its own
         const bool is_framework = fs::exists(places().source / "framework" / name);
-        const bool is_topic = !name.has_parent_path() && name.extension() == ".cpp" &&
-                              std::find(all.begin(), all.end(), name.stem()) != all.end();
-        if (!is_topic && !is_framework && is_plain_utf8(name.string())) found.push_back(name);
-    }
+        return is_framework || is_file_of_topic(name) || !is_plain_utf8(name.string());
+    });
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -126,7 +147,7 @@ Content content_of_other(const fs::path& folder, const fs::path& name, std::size
         return {{}, fmt::format("expected at most {} folders around it", deepest)};
     if (taken >= most_files)
         return {{}, fmt::format("expected at most {} headers and other sources", most_files)};
-    return read_file(folder / name);
+    return read_file(folder, name);
 }
 
 } // namespace
@@ -146,7 +167,7 @@ SubmissionFiles take_files(const fs::path& folder, const fs::path& into)
         const fs::path name = topic + ".cpp";
         std::error_code error;
         if (fs::symlink_status(folder / name, error).type() == fs::file_type::not_found) continue;
-        const Content content = read_file(folder / name);
+        const Content content = read_file(folder, name);
         if (content.text) {
             taken.add(name, *content.text);
             files.topics.push_back(topic);

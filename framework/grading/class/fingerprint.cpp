@@ -36,14 +36,14 @@ std::uint64_t hash_of_file(const fs::path& file, std::uint64_t hash)
     return hash;
 }
 
-// The hash of a file that a student handed in: of its bytes, or of the reason why the intake will
-// refuse it. An archive that is too large is not read: a file with gaps can have any size, and
-// everybody would wait for it.
-std::uint64_t hash_of_handed_in(const fs::path& path, std::uint64_t hash)
+// The hash of a file that a student handed in, `name` in `folder`: of its bytes, or of the reason
+// why the intake will refuse it. An archive that is too large is not read: a file with gaps can
+// have any size, and everybody would wait for it.
+std::uint64_t hash_of_handed_in(const fs::path& folder, const fs::path& name, std::uint64_t hash)
 {
     try {
         const std::size_t most = IntakeLimits().archive_bytes;
-        const PlainFile file = read_plain_file(path, most);
+        const PlainFile file = read_plain_file(folder, name, most);
         if (file.size > most) return hash_of(fmt::format("too large: {}", file.size), hash);
         return hash_of(file.text, hash);
     } catch (const Refused& refused) {
@@ -121,16 +121,17 @@ std::string fingerprint_of(const Submission& submission, std::uint64_t all_but_t
     std::uint64_t hash =
         hash_of(submission.name + '\0' + submission.refusal, all_but_the_submission);
     if (!submission.refusal.empty()) return text(hash);
-    if (!fs::is_directory(submission.path))
-        return text(hash_of_handed_in(submission.path, hash_of("archive", hash)));
+    const fs::path around = submission.path.parent_path(), name = submission.path.filename();
+    if (!fs::is_directory(fs::symlink_status(submission.path)))
+        return text(hash_of_handed_in(around, name, hash_of("archive", hash)));
     try {
         const Contents contents = read_folder(submission.path);
-        for (const auto& [name, content] : contents.sources())
-            hash = hash_of(name + '\0' + content + '\0', hash);
-        for (const std::string& name : contents.others())
-            hash = hash_of(name + '\0', hash);
+        for (const auto& [source, content] : contents.sources())
+            hash = hash_of(source + '\0' + content + '\0', hash);
+        for (const std::string& other : contents.others())
+            hash = hash_of(other + '\0', hash);
         if (const std::string archive = only_archive_in(contents); !archive.empty())
-            hash = hash_of_handed_in(submission.path / archive, hash);
+            hash = hash_of_handed_in(around, name / archive, hash);
     } catch (const Refused& refused) {
         hash = hash_of(refused.what(), hash);
     }

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Walks through a folder in the order of the names, so that the first fault that is found is the
-// same on every machine. Each source is read as plain_file.hpp says. Files and folders that a
-// program made, such as `.git`, are not opened; only their names are listed.
+// same on every machine. Each folder is opened as beneath.hpp says and each source is read as
+// plain_file.hpp says. Files and folders that a program made, such as `.git`, are not opened; only
+// their names are listed.
 #include "grading/intake/folder.hpp"
 
 #include "errors/quotes.hpp"
+#include "grading/intake/beneath.hpp"
 #include "grading/intake/plain_file.hpp"
 #include "grading/intake/refused.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -26,8 +28,9 @@ constexpr int deepest = 32; // levels of folders inside each other
 
 class FolderReader {
 public:
-    FolderReader(fs::path folder, const IntakeLimits& limits)
-        : folder_(std::move(folder)), limits_(limits), contents_(limits)
+    // The folder `within` lies in `around`, which students cannot change.
+    FolderReader(fs::path around, fs::path within, const IntakeLimits& limits)
+        : around_(std::move(around)), within_(std::move(within)), limits_(limits), contents_(limits)
     {
     }
 
@@ -37,9 +40,9 @@ public:
         return std::move(contents_);
     }
 
-    Contents read_one(const fs::path& name, const std::string& called)
+    Contents read_one(const std::string& called)
     {
-        contents_.add_source(contents_.add_name(called), text_of(name));
+        contents_.add_source(contents_.add_name(called), text_of(""));
         return std::move(contents_);
     }
 
@@ -54,30 +57,26 @@ private:
         if (depth > deepest)
             throw Refused(
                 fmt::format("expected at most {} folders inside each other, found more", deepest));
-        std::error_code error;
-        std::vector<fs::path> names;
-        for (fs::directory_iterator entry(folder_ / below, error), end; !error && entry != end;
-             entry.increment(error)) {
-            names.push_back(below / entry->path().filename());
-            // There are too many files, so `Contents::add_name`, called by `take`, will throw.
-            if (names.size() > limits_.entries) break;
+        std::vector<FolderEntry> entries;
+        try {
+            entries = entries_beneath(around_, path_of(below), limits_.entries);
+        } catch (const std::system_error& error) {
+            fail(below.empty() ? "." : below, error.code().value());
         }
-        if (error) fail(below.empty() ? "." : below, error.value());
-        std::sort(names.begin(), names.end());
-        for (const fs::path& name : names)
-            take(name, depth);
+        // If there are too many files, `Contents::add_name`, called by `take`, throws.
+        for (const FolderEntry& entry : entries)
+            take(below / entry.name, entry.mode, depth);
     }
 
-    void take(const fs::path& name, int depth)
+    void take(const fs::path& name, mode_t mode, int depth)
     {
         const std::string called = contents_.add_name(name.string());
-        struct stat status = {};
-        if (lstat((folder_ / name).c_str(), &status) != 0) fail(name, errno);
-        if (const std::string_view kind = special_kind(status.st_mode); !kind.empty())
+        if (mode == 0) fail(name, ENOENT);
+        if (const std::string_view kind = special_kind(mode); !kind.empty())
             throw Refused(fmt::format("expected files and folders, found {}, {}", kind,
                                       in_quotes(name.string())));
         const bool is_by_author = !is_by_product(name.string());
-        if (is_by_author && S_ISDIR(status.st_mode))
+        if (is_by_author && S_ISDIR(mode))
             read_below(name, depth + 1);
         else if (is_by_author && is_source(name.string()))
             contents_.add_source(called, text_of(name));
@@ -89,15 +88,19 @@ private:
     {
         PlainFile file;
         try {
-            file = read_plain_file(folder_ / name, limits_.source_bytes);
+            file = read_plain_file(around_, path_of(name), limits_.source_bytes);
         } catch (const Refused& refused) {
-            throw Refused(in_quotes(name.string()) + ": " + refused.what());
+            throw Refused(in_quotes((name.empty() ? within_ : name).string()) + ": " +
+                          refused.what());
         }
         if (file.size > limits_.source_bytes) refuse_too_many_sources(limits_);
         return std::move(file.text);
     }
 
-    fs::path folder_;
+    // The path of a file of the folder, relative to `around_`.
+    fs::path path_of(const fs::path& name) const { return name.empty() ? within_ : within_ / name; }
+
+    fs::path around_, within_;
     IntakeLimits limits_;
     Contents contents_;
 };
@@ -106,13 +109,13 @@ private:
 
 Contents read_folder(const fs::path& folder, const IntakeLimits& limits)
 {
-    return FolderReader(folder, limits).read();
+    return FolderReader(folder.parent_path(), folder.filename(), limits).read();
 }
 
 Contents read_single_file(const fs::path& file, const std::string& called,
                           const IntakeLimits& limits)
 {
-    return FolderReader(file.parent_path(), limits).read_one(file.filename(), called);
+    return FolderReader(file.parent_path(), file.filename(), limits).read_one(called);
 }
 
 } // namespace rigor

@@ -8,7 +8,8 @@
 
 namespace rigor {
 
-/// Reads a folder and the folders in it. A link is refused, not followed.
+/// Reads a folder and the folders in it. A link is refused, not followed, also if it has taken the
+/// place of the folder itself.
 /// @throws Refused if a file cannot be read, or for the same reasons as `read_archive`
 Contents read_folder(const std::filesystem::path& folder, const IntakeLimits& limits = {});
 

@@ -81,14 +81,15 @@ Intake take_files_for(const std::string& wanted, const Contents& contents)
 
 Intake take_submission(const fs::path& path, const std::string& wanted)
 {
-    if (!fs::is_directory(path))
-        return take_files_for(wanted, is_source(path.filename().string())
+    const fs::path around = path.parent_path(), name = path.filename();
+    if (!fs::is_directory(fs::symlink_status(path)))
+        return take_files_for(wanted, is_source(name.string())
                                           ? read_single_file(path, wanted)
-                                          : read_archive_behind_walls(path));
+                                          : read_archive_behind_walls(around, name));
     const Contents contents = read_folder(path);
     const std::string archive = only_archive_in(contents);
-    return take_files_for(wanted,
-                          archive.empty() ? contents : read_archive_behind_walls(path / archive));
+    return take_files_for(
+        wanted, archive.empty() ? contents : read_archive_behind_walls(around, name / archive));
 }
 
 } // namespace rigor

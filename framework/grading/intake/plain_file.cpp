@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grading/intake/plain_file.hpp"
 
+#include "grading/intake/beneath.hpp"
 #include "grading/intake/refused.hpp"
 
 #include <cerrno>
@@ -8,6 +9,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace rigor {
@@ -39,24 +41,24 @@ std::string_view special_kind(mode_t mode)
                                           : "a device";
 }
 
-Descriptor opened_plain_file(const fs::path& file)
+Descriptor opened_plain_file(const fs::path& folder, const fs::path& name)
 {
-    struct stat status = {};
-    // Asked before the opening too, since opening a device may already do something.
-    if (lstat(file.c_str(), &status) != 0) refuse_unreadable(errno);
-    require_plain(status.st_mode);
-    const int opened =
-        open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (opened < 0) refuse_unreadable(errno);
-    Descriptor descriptor(opened, "open");
-    if (fstat(descriptor, &status) != 0) refuse_unreadable(errno);
-    require_plain(status.st_mode);
-    return descriptor;
+    try {
+        // Asked before the opening too, since opening a device may already do something.
+        require_plain(status_beneath(folder, name).st_mode);
+        Descriptor opened = opened_beneath(folder, name, O_RDONLY | O_NONBLOCK | O_NOCTTY);
+        struct stat status = {};
+        if (fstat(opened, &status) != 0) refuse_unreadable(errno);
+        require_plain(status.st_mode);
+        return opened;
+    } catch (const std::system_error& error) {
+        refuse_unreadable(error.code().value());
+    }
 }
 
-PlainFile read_plain_file(const fs::path& file, std::size_t most)
+PlainFile read_plain_file(const fs::path& folder, const fs::path& name, std::size_t most)
 {
-    const Descriptor descriptor = opened_plain_file(file);
+    const Descriptor descriptor = opened_plain_file(folder, name);
     struct stat status = {};
     if (fstat(descriptor, &status) != 0) refuse_unreadable(errno);
     PlainFile result;

@@ -171,9 +171,10 @@ IntakeLimits limits_of(const std::vector<std::string>& arguments)
     return limits;
 }
 
-Contents read_archive_behind_walls(const fs::path& file, const IntakeLimits& limits)
+Contents read_archive_behind_walls(const fs::path& folder, const fs::path& name,
+                                   const IntakeLimits& limits)
 {
-    return read_printed(what_unpack_prints(opened_plain_file(file), limits), limits);
+    return read_printed(what_unpack_prints(opened_plain_file(folder, name), limits), limits);
 }
 
 } // namespace rigor

@@ -26,9 +26,11 @@ Contents read_printed(std::string_view text, const IntakeLimits& limits);
 std::vector<std::string> arguments_of(const IntakeLimits& limits);
 IntakeLimits limits_of(const std::vector<std::string>& arguments);
 
-/// Reads a whole archive by `unpack`. @throws Refused as `read_archive`, and also if the program
-/// crashes or takes too long; std::system_error if the sandbox cannot be set up
-Contents read_archive_behind_walls(const std::filesystem::path& file,
+/// Reads a whole archive, `name` in `folder`, by `unpack`. It is opened as `opened_beneath` says.
+/// @throws Refused as `read_archive`, and also if the program crashes or takes too long;
+///     std::system_error if the sandbox cannot be set up
+Contents read_archive_behind_walls(const std::filesystem::path& folder,
+                                   const std::filesystem::path& name,
                                    const IntakeLimits& limits = {});
 
 } // namespace rigor

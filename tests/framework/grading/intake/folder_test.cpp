@@ -5,9 +5,13 @@
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <atomic>
+#include <cstdio>
+#include <fcntl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
+#include <thread>
 #include <unistd.h>
 
 namespace rigor::testing::folder_test {
@@ -33,6 +37,46 @@ TEST_CASE("folder: a link is neither followed nor taken", "[intake]")
     REQUIRE(refusal_of(folder.path()).empty());
     std::filesystem::create_symlink("/etc", folder.path() / "etc");
     REQUIRE(refusal_of(folder.path()) == "expected files and folders, found a link, \"etc\"");
+}
+
+TEST_CASE("folder: a link that took the place of the whole folder is not followed", "[intake]")
+{
+    const TemporaryFolder folder;
+    folder.write("hidden/collision.cpp", "int x;\n");
+    std::filesystem::create_directory_symlink("hidden", folder.path() / "alice");
+    REQUIRE(refusal_of(folder.path() / "hidden").empty());
+    REQUIRE(refusal_of(folder.path() / "alice") == "\".\" cannot be read: Not a directory");
+}
+
+TEST_CASE("folder: a folder that turns into a link again and again is never left", "[intake]")
+{
+    const TemporaryFolder folder;
+    folder.write("hidden/secret.hpp", "secret\n");
+    folder.write("alice/own/secret.hpp", "own\n");
+    const std::filesystem::path own = folder.path() / "alice/own", link = folder.path() / "link";
+    std::filesystem::create_directory_symlink("../hidden", link);
+    std::atomic<bool> done = false;
+    std::thread student([&] {
+        while (!done) // the folder and the link change places
+            renameat2(AT_FDCWD, own.c_str(), AT_FDCWD, link.c_str(), RENAME_EXCHANGE);
+    });
+    int taken = 0, refused = 0;
+    std::string read;
+    for (int i = 0; i < 2000; ++i) {
+        try {
+            const Contents contents = read_folder(folder.path() / "alice");
+            for (const auto& [name, text] : contents.sources())
+                read += text == "own\n" ? "" : text;
+            ++taken;
+        } catch (const Refused&) {
+            ++refused;
+        }
+    }
+    done = true;
+    student.join();
+    REQUIRE(read.empty());
+    REQUIRE(taken > 0);
+    REQUIRE(refused > 0);
 }
 
 TEST_CASE("folder: a pipe is refused without waiting for a writer", "[intake]")

@@ -11,14 +11,24 @@ namespace rigor::testing::plain_file_test {
 
 namespace {
 
-std::string refusal_of(const std::filesystem::path& file)
+PlainFile read_file(const std::filesystem::path& file, std::size_t most)
+{
+    return read_plain_file(file.parent_path(), file.filename(), most);
+}
+
+std::string refusal_of(const std::filesystem::path& folder, const std::filesystem::path& name)
 {
     try {
-        read_plain_file(file, 100);
+        read_plain_file(folder, name, 100);
         return "";
     } catch (const Refused& refused) {
         return refused.what();
     }
+}
+
+std::string refusal_of(const std::filesystem::path& file)
+{
+    return refusal_of(file.parent_path(), file.filename());
 }
 
 } // namespace
@@ -27,10 +37,10 @@ TEST_CASE("plain file: a text up to the limit is read", "[intake]")
 {
     const TemporaryFolder folder;
     const auto file = folder.write("a.cpp", "int x;\n");
-    REQUIRE(read_plain_file(file, 7).text == "int x;\n");
-    REQUIRE(read_plain_file(file, 7).size == 7);
-    REQUIRE(read_plain_file(file, 6).text.empty());
-    REQUIRE(read_plain_file(file, 6).size == 7);
+    REQUIRE(read_file(file, 7).text == "int x;\n");
+    REQUIRE(read_file(file, 7).size == 7);
+    REQUIRE(read_file(file, 6).text.empty());
+    REQUIRE(read_file(file, 6).size == 7);
 }
 
 TEST_CASE("plain file: a large one is measured and not read", "[intake]")
@@ -38,7 +48,7 @@ TEST_CASE("plain file: a large one is measured and not read", "[intake]")
     const TemporaryFolder folder;
     const auto file = folder.write("a.zip", "");
     std::filesystem::resize_file(file, std::uintmax_t{1} << 36); // takes no space on the disk
-    const PlainFile read = read_plain_file(file, 1000);
+    const PlainFile read = read_file(file, 1000);
     REQUIRE(read.size == std::size_t{1} << 36);
     REQUIRE(read.text.empty());
 }
@@ -57,6 +67,18 @@ TEST_CASE("plain file: a link or a pipe or a device or a folder is refused", "[i
     REQUIRE(refusal_of("/dev/zero") == "expected a file, found a device");
     REQUIRE(refusal_of(folder.path()) == "expected a file, found a folder");
     REQUIRE(refusal_of(folder.path() / "b.cpp").starts_with("cannot be read: "));
+}
+
+TEST_CASE("plain file: no folder of the name may be a link", "[intake]")
+{
+    const TemporaryFolder folder;
+    folder.write("a/b/c.hpp", "");
+    std::filesystem::create_directory_symlink("b", folder.path() / "a/link");
+    std::filesystem::create_directory_symlink("a", folder.path() / "all");
+    REQUIRE(refusal_of(folder.path(), "a/b/c.hpp").empty());
+    REQUIRE(refusal_of(folder.path(), "a/link/c.hpp") == "cannot be read: Not a directory");
+    REQUIRE(refusal_of(folder.path(), "all/b/c.hpp") == "cannot be read: Not a directory");
+    REQUIRE(refusal_of(folder.path() / "all", "b/c.hpp").empty()); // the grader's own path
 }
 
 } // namespace rigor::testing::plain_file_test
