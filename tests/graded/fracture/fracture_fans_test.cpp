@@ -5,6 +5,9 @@
 #include "support/seeds.hpp"
 #include "virtual_nodes_laws.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace fracture_fans_test {
 
 using namespace rigor;
@@ -17,6 +20,30 @@ MeshFace face_before(const Placed& at, int i)
 {
     const int other = static_cast<int>(at.mesh.tetrahedra.size()); // as many as rim vertices
     return {at.tetrahedron[i], at.corner(i, 2 + (i + 1) % other)};
+}
+
+// Appends tetrahedra with the last vertex over a part of a polygon, from vertex i to vertex k. Each
+// has two neighbours that halve the rest, so twice as many wait in each round of a search.
+void add_halves(TetrahedralMesh& mesh, int i, int k)
+{
+    if (k - i < 2) return;
+    const int middle = (i + k) / 2, tip = static_cast<int>(mesh.vertices.size()) - 1;
+    mesh.tetrahedra.push_back({i, middle, k, tip});
+    add_halves(mesh, i, middle);
+    add_halves(mesh, middle, k);
+}
+
+// A pyramid over a regular polygon.
+TetrahedralMesh pyramid(int corners)
+{
+    TetrahedralMesh mesh;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / corners;
+        mesh.vertices.emplace_back(std::cos(angle), std::sin(angle), 0);
+    }
+    mesh.vertices.emplace_back(0, 0, 1);
+    add_halves(mesh, 0, corners - 1);
+    return mesh;
 }
 
 } // namespace
@@ -54,6 +81,23 @@ TEST_CASE("fracture: thousands of tetrahedra around an edge stay together or par
         check_count(vertex_count(result.mesh), n + 2 + 4, "vertices");
         check_count(piece_count(result.mesh), 2, "pieces");
     }
+}
+
+TEST_CASE("fracture: thousands of tetrahedra that branch from one stay together",
+          "[A7.5][fracture]")
+{
+    Random random(2);
+    for (const int corners : {40, 500, 9000})
+        for (const Placed& at : {Placed(pyramid(corners)), Placed(pyramid(corners), random)}) {
+            CAPTURE(corners);
+            const SplitMesh whole = split_along_faces(at.mesh, {});
+            check_count(vertex_count(whole.mesh), corners + 1, "vertices");
+            // the face over the diagonal from the first corner to the middle
+            const std::vector<MeshFace> faces = {{at.tetrahedron[0], at.corner(0, corners - 1)}};
+            const SplitMesh result = split_along_faces(at.mesh, faces);
+            check_count(vertex_count(result.mesh), corners + 1 + 3, "vertices");
+            check_count(piece_count(result.mesh), 2, "pieces");
+        }
 }
 
 TEST_CASE("fracture: a plane along an edge cuts any number of tetrahedra around it",

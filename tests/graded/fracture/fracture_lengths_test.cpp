@@ -153,6 +153,26 @@ TEST_CASE("fracture: neighbours with indices of many bits", "[A7.1][fracture]")
     REQUIRE_THAT(smooth[first](0, 0), IsClose(7.0 / 4, Rounding(16)));
 }
 
+TEST_CASE("fracture: neighbours in a long row count with the stresses that they had",
+          "[A7.1][fracture]")
+{
+    constexpr int count = wide + 2 * narrow;
+    std::vector<Matrix3d> stresses;
+    std::vector<std::vector<int>> neighbours(count);
+    for (int e = 0; e < count; ++e) {
+        stresses.push_back(e % 11 * Matrix3d::Identity());
+        for (const int other : {e - 1, e + 1})
+            if (other >= 0 && other < count) neighbours[e].push_back(other);
+    }
+    const auto smooth = smooth_stress(stresses, neighbours, std::vector<double>(count, 1.0));
+    std::vector<double> expected, found;
+    for (int e = 1; e < count - 1; ++e) {
+        found.push_back(smooth[e](2, 2));
+        expected.push_back(((e - 1) % 11 + e % 11 + (e + 1) % 11) / 3.0);
+    }
+    REQUIRE_THAT(found, IsClose(expected, Rounding(16, 10)));
+}
+
 TEST_CASE("fracture: any number of faces cuts a bar into cubes", "[A7.5][fracture]")
 {
     for (int n = 1; n <= 40; ++n)

@@ -74,6 +74,22 @@ TEST_CASE("fracture: of faces that are nearly parallel to a crack the nearest on
         }
 }
 
+TEST_CASE("fracture: what is on the plane stays on it when the longest edge is cut",
+          "[A7.6][fracture]")
+{
+    // The longest edge, of 1 m, is cut in two. Vertex 3 is nearer to the plane than 0.05 m, and
+    // farther from it than 0.05 of any edge that is left.
+    for (Random random : seeds(20))
+        for (const double height : {0.035, 0.04, 0.045, 0.049, -0.035, -0.049}) {
+            CAPTURE(height);
+            const double x = random.uniform(0.1, 0.2), y = random.uniform(0.1, 0.2);
+            const Placed at(
+                {{{0, 0, 0}, {x, 0, 0.5}, {x, 0, -0.5}, {0, y, height}}, {{0, 1, 2, 3}}}, random);
+            const SplitMesh result = cut_at(at.mesh, at.vertex[0], at.R * Vector3d::UnitZ());
+            check_count(tetrahedron_count(result.mesh), 2, "tetrahedra");
+        }
+}
+
 TEST_CASE("fracture: a plane may cross the longest edge near its ends", "[A7.6][fracture]")
 {
     // The edge between the corners 1 and 2 is the longest. The plane through the corners 0 and 3

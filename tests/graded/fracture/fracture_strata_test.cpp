@@ -236,7 +236,7 @@ namespace {
 void check_crossing(double t)
 {
     const TetrahedralMesh mesh = {{{0, 0, 0}, {0.5, 0, t}, {0.5, 0, t - 1}, {0, 0.5, 0}},
-                                  {{0, 2, 1, 3}}};
+                                  {{0, 1, 2, 3}}};
     for (const Vector3d& n : {Vector3d(0, 0, 1), Vector3d(0, 0, -1)}) {
         const SplitMesh result = split_element(mesh, 0, n);
         check_new_vertices(mesh, result, 0, n);

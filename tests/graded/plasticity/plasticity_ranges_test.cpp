@@ -22,6 +22,19 @@ TEST_CASE("plasticity: pressure does not touch the shear", "[A6.1][plasticity]")
     }
 }
 
+TEST_CASE("plasticity: shear does not touch the pressure", "[A6.1][plasticity]")
+{
+    for (int power = 0; power <= 100; power += 5) {
+        CAPTURE(power);
+        Matrix3d sigma = Vector3d(1, 2, 6).asDiagonal();
+        sigma(0, 1) = sigma(1, 0) = std::ldexp(1, power);
+        sigma(1, 2) = sigma(2, 1) = std::ldexp(-3, power);
+        sigma(0, 2) = sigma(2, 0) = std::ldexp(5, power);
+        const Vector3d found = deviator(sigma).diagonal();
+        REQUIRE_THAT(found, IsClose(Vector3d(-2, -1, 3), Rounding(8, 6)));
+    }
+}
+
 TEST_CASE("plasticity: a shear counts however small it is beside the pressure",
           "[A6.4][plasticity]")
 {
