@@ -92,6 +92,29 @@ TEST_CASE("collision: a level set has the value of a node at that node", "[A4.1]
             }
 }
 
+TEST_CASE("collision: cells of any size meet at their nodes", "[A4.1][collision]")
+{
+    // A cell size such as 0.1 m is rounded, so a node may seem to lie a little before its place or
+    // after it.
+    std::vector<double> sizes = {0.1, 0.2, 0.3, 0.6, 0.7, 1.0 / 3, 0.05, 0.01};
+    for (Random random : seeds(20))
+        sizes.push_back(random.uniform(0.01, 1));
+    Random random(3);
+    for (const double h : sizes)
+        for (const bool is_at_origin : {true, false}) {
+            const Vector3d origin = is_at_origin ? Vector3d(Vector3d::Zero()) : random.vector();
+            const LevelSet grid = sampled(origin, h, {50, 2, 3},
+                                          [&](const Vector3d&) { return random.uniform(-1, 1); });
+            for (int i = 0; i < 50; ++i) {
+                CAPTURE(h, origin, i);
+                // rounding moves the node by some eps (50 h + 1), and a cell changes by 2/h
+                REQUIRE_THAT(
+                    sample_level_set(grid, origin + h * Vector3d(i, 1, 2)),
+                    IsClose(grid.distances[i + 50 * (1 + 2 * 2)], Rounding(16, 2 * (50 + 1 / h))));
+            }
+        }
+}
+
 TEST_CASE("collision: between its nodes a level set is trilinear", "[A4.1][collision]")
 {
     for (Random random : seeds(50)) {

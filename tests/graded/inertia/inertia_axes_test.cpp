@@ -140,6 +140,14 @@ TEST_CASE("inertia: moments are never negative", "[A2.4][inertia]")
 
         require_principal_axes(principal_axes(I), I);
     }
+    for (Random random : seeds(100)) // rods in every plane of two axes
+        for (int axis = 0; axis < 3; ++axis) {
+            Vector3d rod = random.vector();
+            rod[axis] = 0;
+            const Matrix3d I = rod.squaredNorm() * Matrix3d::Identity() - rod * rod.transpose();
+
+            require_principal_axes(principal_axes(I), I);
+        }
 }
 
 TEST_CASE("inertia: principal axes of thin and of tiny bodies", "[A2.4][inertia]")

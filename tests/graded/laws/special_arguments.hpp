@@ -2,8 +2,8 @@
 // Special inputs of a formula, and inputs near them. Special inputs have entries that are zero,
 // equal or small whole numbers (whose sums, products and squares often coincide), have several
 // vectors that are zero, turn about an axis of the frame or by quarters of a turn, have a point
-// straight above another one, repeat an argument, or coincide with entries of others. Ordinary
-// random numbers almost never do any of this.
+// straight above another one, or in the middle of others, repeat an argument, or coincide with
+// entries of others. Ordinary random numbers almost never do any of this.
 #pragma once
 
 #include "coincidences.hpp"
@@ -41,9 +41,16 @@ inline Quaternion special_unit_quaternion(Random& random)
     Eigen::Vector4d q(random.uniform(-1, 1), 0, 0, 0);
     q.tail<3>() = random.vector();
     make_entries_special(q, true, random);
-    if (one_in(8, random)) // a third of a turn about a diagonal
-        for (double& entry : q)
-            entry = one_in(2, random) ? 0.5 : -0.5;
+    if (one_in(4, random)) { // a turn that takes a cube to itself, with entries that are equal
+        const int first = random_index(random, 4), second = random_index(random, 4);
+        const bool has_all = first == second; // a third of a turn about a diagonal
+        for (int i = 0; i < 4; ++i) {
+            q[i] = has_all || i == first || i == second ? 1 : 0;
+            if (one_in(2, random)) q[i] = -q[i];
+        }
+        q *= has_all ? 0.5 : std::numbers::sqrt2 / 2;
+        return {q[0], q.tail<3>()};
+    }
     if (one_in(4, random)) q.setZero(); // no turn, or half a turn about an axis
     if (q.norm() < 0.1) q[random_index(random, 4)] = one_in(2, random) ? 1 : -1;
     q.normalize();
@@ -247,6 +254,45 @@ template <class Arguments> void align_with_axis(Arguments& arguments, Random& ra
     }
 }
 
+/// If the first two arguments are a list and a point, may place the elements of the list in pairs
+/// on both sides of the point. Then the point is their mean. It is their center of mass too if both
+/// of each pair have the same mass. All coordinates are whole numbers, so that sums are exact.
+template <class Arguments> void balance_around_point(Arguments& arguments, Random& random)
+{
+    if constexpr (std::tuple_size_v<Arguments> >= 2) {
+        auto& list = std::get<0>(arguments);
+        auto& X = std::get<1>(arguments);
+        const auto place = [](auto& element) -> Vector3d& {
+            if constexpr (requires { element.point; })
+                return element.point;
+            else
+                return element.position;
+        };
+        constexpr bool has_places = requires
+        {
+            list[0].point;
+        }
+        || requires
+        {
+            list[0].position;
+        };
+        if constexpr (std::is_same_v<decltype(X), Vector3d&> && has_places) {
+            if (!one_in(4, random)) return;
+            const auto whole_vector = [&] {
+                return Vector3d(whole(-2, 2, random), whole(-2, 2, random), whole(-2, 2, random));
+            };
+            const bool is_alike = one_in(2, random);
+            X = whole_vector();
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                const bool is_second = i % 2 == 1, is_single = i + 1 == list.size() && !is_second;
+                const Vector3d arm = is_second ? Vector3d(X - place(list[i - 1])) : whole_vector();
+                if (is_second && is_alike) list[i] = list[i - 1];
+                place(list[i]) = is_single ? X : Vector3d(X + arm);
+            }
+        }
+    }
+}
+
 /// Makes Euler angles, or the angle of a step, multiples of a quarter turn. The angles of
 /// `euler_rates` stay away from gimbal lock.
 template <FormulaIndex f, class Arguments>
@@ -293,6 +339,7 @@ template <FormulaIndex f, auto& formula> Arguments<formula> special_arguments(Ra
         if (v.dot(n) > -0.05) v -= n;
     } else {
         align_points(arguments, random);
+        balance_around_point(arguments, random);
         align_with_axis(arguments, random);
         turn_by_quarters<f>(arguments, random);
         if (one_in(3, random)) make_coincident(arguments, of, random);
