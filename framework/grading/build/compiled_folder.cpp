@@ -159,10 +159,6 @@ CompiledFolder::CompiledFolder(const fs::path& folder, const Toolchain& tools)
     if (files_.topics.empty() && files_.refused.empty())
         throw InputError(fmt::format("{}: expected some of {}.cpp, found none", folder.string(),
                                      fmt::join(topics(), ".cpp, ")));
-    let_others_read(place_ / "files");
-    let_others_read(contract());
-    let_others_read(tools.precompiled);
-    let_others_read(no_file_queries());
 }
 
 bool CompiledFolder::has(const std::string& topic) const

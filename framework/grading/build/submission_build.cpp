@@ -127,7 +127,6 @@ public:
             fs::path object = objects_.at(topic)->object;
             if (!hidden.empty()) {
                 const fs::path copy = out / (topic + ".o");
-                let_others_read(object);
                 const ConfinedRun copied = make_local(object, hidden, copy);
                 if (!copied.ok()) return {shown_errors(copied.output), {}};
                 object = copy;
@@ -136,8 +135,6 @@ public:
             tool.arguments.insert(tool.arguments.begin() + 1, object.string());
         }
         tool.arguments.insert(tool.arguments.end(), {"-o", (out / "worker").string()});
-        for (const fs::path& input : tool.readable)
-            let_others_read(input);
         const ConfinedRun linked = run_tool(tool);
         if (linked.ok() && is_plain_file(out / "worker")) {
             take_over(out / "worker", worker());
@@ -238,7 +235,6 @@ void keep_objects(std::map<std::string, CompiledTopic>& compiled, const fs::path
         if (error) fs::copy_file(object.object, kept);
         object.object = kept;
     }
-    let_others_read(into);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "grading/build/await_no_writer.hpp"
 #include "grading/build/ninja.hpp"
 #include "grading/build/write_file.hpp"
+#include "grading/machine/permissions.hpp"
 #include "grading/places.hpp"
 #include "sandbox/blocked_calls.hpp"
 
@@ -141,6 +142,21 @@ void take_link(Toolchain& tools, const std::string& command)
     tools.link.emplace_back("-Wl,--warn-unresolved-symbols");
 }
 
+// A tool may run as another user, and the umask may have been strict. In a mount namespace, a tool
+// reaches its paths without the folders around them.
+void let_others_use(const ToolRun& tool, const Walls& walls)
+{
+    if (!walls.another_user) return;
+    std::vector<fs::path> paths = tool.readable;
+    paths.push_back(tool.folder);
+    for (const fs::path& path : paths)
+        if (path != tool.out) let_others_read(path);
+    paths.push_back(tool.out);
+    if (walls.namespaces == Walls::Namespaces::none)
+        for (const fs::path& path : paths)
+            let_others_pass(path);
+}
+
 // The largest ratio of wall-clock time to processor time that is expected on a busy machine.
 constexpr double busy = 4;
 
@@ -200,6 +216,7 @@ ConfinedRun run_tool(const ToolRun& tool)
     walls.readable.push_back(tool.folder);
     walls.writable = {tool.out};
     walls.folder = tool.folder;
+    let_others_use(tool, walls_of(walls.tier));
     // The last one keeps Clang from starting a symbolizer, which opens a socket, where it crashes.
     walls.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + tool.out.string(),
                          "LLVM_DISABLE_SYMBOLIZATION=1"};
@@ -222,7 +239,7 @@ ConfinedRun make_local(const fs::path& object, const std::vector<std::string>& n
     const auto copied = [&](const std::string& option, const fs::path& from, const fs::path& to) {
         return run_tool({{"/usr/bin/objcopy", option + list.string(), from.string(), to.string()},
                          out,
-                         {from, out},
+                         {from, list, out},
                          out});
     };
     // A name that must be unique in a process (GNU unique) becomes local only if it is made weak
@@ -272,23 +289,6 @@ void take_over(const fs::path& made, const fs::path& place)
     await_no_writer(draft);
     fs::rename(draft, place);
     fs::remove(made);
-}
-
-void let_others_read(const fs::path& path)
-{
-    if (geteuid() != 0) return; // without root, tools run as this user
-    using fs::perms;
-    const auto open = [](const fs::path& file) {
-        const bool is_folder = fs::is_directory(file);
-        const perms wanted = perms::others_read | (is_folder ? perms::others_exec : perms::none);
-        std::error_code error; // ignored: the tool reports a file that it cannot read
-        if ((fs::status(file, error).permissions() & wanted) != wanted)
-            fs::permissions(file, wanted, fs::perm_options::add, error);
-    };
-    open(path);
-    if (fs::is_directory(path))
-        for (const auto& entry : fs::recursive_directory_iterator(path))
-            open(entry.path());
 }
 
 } // namespace rigor

@@ -56,7 +56,9 @@ struct ToolRun {
     double time = compile_limit;                 // processor time [s]
 };
 
-/// Runs a tool. @throws std::system_error if it cannot be started in the sandbox
+/// Runs a tool. If it runs as another user, its paths become readable for everybody before,
+/// whatever the umask was when they were made.
+/// @throws std::system_error if it cannot be started in the sandbox
 ConfinedRun run_tool(const ToolRun& tool);
 
 /// Copies an object to `copy`, whose folder is the tools' own, and makes these names local in it.
@@ -76,9 +78,5 @@ bool is_plain_file(const std::filesystem::path& path);
 /// original open, but it cannot write to the copy. At any time there is the old file or the whole
 /// new one at `place`; other names (hard links) of the old file keep the old content.
 void take_over(const std::filesystem::path& made, const std::filesystem::path& place);
-
-/// Lets every user read a file, or a folder with its files: a tool may run as another user, and the
-/// umask may have been strict.
-void let_others_read(const std::filesystem::path& path);
 
 } // namespace rigor

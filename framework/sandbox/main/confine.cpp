@@ -13,6 +13,7 @@
 #include <csignal>
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace rigor::confine {
@@ -55,6 +56,9 @@ pid_t start_init()
 int main(int, char** arguments)
 {
     using namespace rigor::confine;
+    // The program, which may be another user, passes through the folders of its new root. Later
+    // programs, which are others again, read what it writes, and none of them changes it.
+    umask(022);
     const Options options = parse(arguments + 1);
     if (!options.probe) launch(options);
     probe(options);
