@@ -3,6 +3,7 @@
 
 #include "cli/progress.hpp"
 #include "grading/build/ninja.hpp"
+#include "grading/machine/allotment.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 #include "report/terminal.hpp"
@@ -11,7 +12,6 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <string>
-#include <thread>
 #include <unistd.h>
 
 namespace rigor {
@@ -197,7 +197,7 @@ std::vector<SuiteResult> run_preset(const std::string& preset, SuiteSize size)
     std::vector<SuiteResult> results = {built};
     CTestLines lines(preset, results);
     // Some tests wait for time limits, so there is one more of them than processors.
-    const unsigned jobs = std::thread::hardware_concurrency() + 1;
+    const unsigned jobs = usable_processors() + 1;
     Command ctest;
     ctest.arguments = {"ctest",
                        "--test-dir",

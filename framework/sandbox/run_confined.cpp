@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <fstream>
 #include <poll.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -17,6 +18,16 @@ namespace rigor {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// How many processes the kernel has ended because memory ran out, since the machine was started.
+std::uint64_t count_of_oom_kills()
+{
+    std::ifstream counts("/proc/vmstat");
+    std::uint64_t count = 0;
+    for (std::string name; counts >> name >> count;)
+        if (name == "oom_kill") return count;
+    return 0;
+}
 
 class Run {
 public:
@@ -36,6 +47,7 @@ public:
         while (!is_over())
             wait_a_moment();
         look_at_ending();
+        result_.oom_kills = count_of_oom_kills() - oom_kills_before_;
         result_.seconds = seconds();
         const rusage used = program_.end();
         for (const timeval& time : {used.ru_utime, used.ru_stime})
@@ -93,6 +105,7 @@ private:
 
     RunLimits limits_;
     Clock::time_point start_ = Clock::now();
+    std::uint64_t oom_kills_before_ = count_of_oom_kills();
     Descriptor empty_;
     Ends output_;
     Confined program_;

@@ -22,8 +22,10 @@ struct ConfinedRun {
     std::optional<int> blocked_call;
     // Whether the program took more time, or printed more, than its limits allow.
     bool timed_out = false, flooded = false;
-    std::string output;           // the beginning of stdout and stderr together, in order
-    double seconds = 0;           // wall-clock time of launcher and program [s]
+    std::string output; // the beginning of stdout and stderr together, in order
+    double seconds = 0; // wall-clock time of launcher and program [s]
+    // How many processes of the whole machine the kernel has ended meanwhile for want of memory.
+    std::uint64_t oom_kills = 0;
     double processor_seconds = 0; // processor time of the program and of all that it started [s]
 
     bool ok() const

@@ -13,6 +13,7 @@
 #include "grading/class/local_engine.hpp"
 #include "grading/class/slurm/slurm_engine.hpp"
 #include "grading/intake/found_submissions.hpp"
+#include "grading/machine/allotment.hpp"
 #include "grading/places.hpp"
 #include "report/exports/changes.hpp"
 #include "report/exports/gradebook.hpp"
@@ -23,7 +24,6 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <set>
-#include <thread>
 
 namespace rigor {
 
@@ -57,7 +57,7 @@ unsigned jobs_of(const GradeOptions& options)
     constexpr unsigned most = 256;
     if (options.jobs > most)
         throw InputError(fmt::format("--jobs: expected at most {}, found {}", most, options.jobs));
-    return options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
+    return options.jobs > 0 ? options.jobs : usable_processors();
 }
 
 // Refuses a results folder that lies inside a folder of submissions: the next run would take the

@@ -12,6 +12,8 @@
 #include "grading/build/scratch_folder.hpp"
 #include "grading/build/shown_errors.hpp"
 #include "grading/build/write_file.hpp"
+#include "grading/machine/allotment.hpp"
+#include "grading/machine/tool_turn.hpp"
 #include "grading/topics.hpp"
 #include "sandbox/blocked_calls.hpp"
 
@@ -22,7 +24,6 @@
 #include <future>
 #include <mutex>
 #include <stdexcept>
-#include <thread>
 
 namespace rigor {
 
@@ -78,8 +79,8 @@ bool is_full(const fs::path& disk)
 
 std::string why_it_ended(const ConfinedRun& run, const std::string& file, const fs::path& out)
 {
-    const ToolLimit met = limit_met(run.signal, run.output);
-    if (run.timed_out || met == ToolLimit::time)
+    const ToolLimit met = limit_met(run, compile_limit);
+    if (met == ToolLimit::time)
         return fmt::format("{}: took longer than {} s to compile\n", file, compile_limit);
     if (run.blocked_call)
         return fmt::format("{}: the compiler tried to {}\n", file,
@@ -88,7 +89,7 @@ std::string why_it_ended(const ConfinedRun& run, const std::string& file, const 
         return fmt::format(
             "{}: the compiler needs more than {} MB of memory: look for a huge table "
             "or a template or macro that grows\n",
-            file, memory_of_a_tool() >> 20);
+            file, own_tool_share().memory >> 20);
     if (met == ToolLimit::file_size)
         return fmt::format("{}: expected an object of at most {} MB\n", file, largest_output >> 20);
     if (run.output.find("No space left on device") != std::string::npos && is_full(out))
@@ -280,7 +281,7 @@ std::map<std::string, CompiledTopic> CompiledFolder::compile(const std::vector<s
             if (on_step) on_step(static_cast<int>(steps.size()), count, steps.back());
         }
     };
-    const std::size_t hands = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 8);
+    const std::size_t hands = std::min(usable_processors(), 8u);
     std::vector<std::future<void>> others;
     for (std::size_t i = 1; i < std::min(hands, stale.size()); ++i)
         others.push_back(std::async(std::launch::async, work));

@@ -122,15 +122,21 @@ std::string shown_errors(const std::string& output)
     return barred;
 }
 
-ToolLimit limit_met(int signal, const std::string& output)
+ToolLimit limit_met(const ConfinedRun& run, double time)
 {
-    if (signal == SIGXFSZ) return ToolLimit::file_size;
-    if (signal == SIGXCPU) return ToolLimit::time;
+    const std::string& output = run.output;
+    if (run.signal == SIGXFSZ) return ToolLimit::file_size;
+    if (run.timed_out || run.signal == SIGXCPU) return ToolLimit::time;
     // The texts below are the system's names of signals, and messages of gcc, Clang and the
-    // assembler about a lack of memory. A linker that does not end at the first signal is killed.
+    // assembler about a lack of memory.
     if (mentions(output, "File size limit exceeded")) return ToolLimit::file_size;
-    for (const char* words : {"CPU time limit exceeded", "ld terminated with signal 9"})
-        if (mentions(output, words)) return ToolLimit::time;
+    if (mentions(output, "CPU time limit exceeded")) return ToolLimit::time;
+    // The kernel also kills a program whose time is over. It measures time less exactly than here.
+    bool was_killed = run.signal == SIGKILL;
+    for (const char* words : {"Killed signal terminated program", "ld terminated with signal 9",
+                              "unable to execute command: Killed"})
+        was_killed = was_killed || mentions(output, words);
+    if (was_killed && run.processor_seconds > 0.8 * time) return ToolLimit::time;
     for (const char* words : {": out of memory", "virtual memory exhausted", "memory exhausted",
                               "Cannot allocate memory", "std::bad_alloc"})
         if (mentions(output, words)) return ToolLimit::memory;

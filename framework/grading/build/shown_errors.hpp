@@ -2,6 +2,8 @@
 // What a student sees of the messages of a compiler, an assembler or a linker.
 #pragma once
 
+#include "sandbox/run_confined.hpp"
+
 #include <string>
 
 namespace rigor {
@@ -14,8 +16,9 @@ std::string shown_errors(const std::string& output);
 /// The limits of a tool that is run for a submission.
 enum class ToolLimit { none, file_size, memory, time };
 
-/// Which limit a tool has exceeded, judged by the signal that ended it (or 0) and by its output,
-/// which names the signal that ended a program that the tool started.
-ToolLimit limit_met(int signal, const std::string& output);
+/// Which limit a tool has exceeded, judged by the signal that ended it and by its output, which
+/// names the signal that ended a program that the tool started.
+/// @param time  the limit on its processor time [s]
+ToolLimit limit_met(const ConfinedRun& run, double time);
 
 } // namespace rigor

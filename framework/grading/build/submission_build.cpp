@@ -9,6 +9,7 @@
 #include "grading/build/compiled_folder.hpp"
 #include "grading/build/scratch_folder.hpp"
 #include "grading/build/shown_errors.hpp"
+#include "grading/machine/tool_turn.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
 #include "grading/topics.hpp"
@@ -140,8 +141,8 @@ public:
             take_over(out / "worker", worker());
             return {why_it_does_not_start(worker()), undefined_names(printable(linked.output))};
         }
-        const ToolLimit met = limit_met(linked.signal, linked.output);
-        if (linked.timed_out || met == ToolLimit::time)
+        const ToolLimit met = limit_met(linked, tool.time);
+        if (met == ToolLimit::time)
             return {fmt::format("cannot be linked: took longer than {} s\n", link_limit), {}};
         if (met == ToolLimit::file_size)
             return {fmt::format("cannot be linked: expected a program of at most {} MB\n",
@@ -274,6 +275,7 @@ SubmissionBuild build_submission(const fs::path& folder, const OnBuildStep& on_s
 
 void prepare_submission_builds(const OnBuildStep& on_step)
 {
+    make_tool_turns();
     std::vector<std::string> steps, lent;
     const Toolchain& tools = tools_after_framework(on_step, steps);
     const fs::path student = places().source / "student";

@@ -4,8 +4,10 @@
 #include "errors/input_error.hpp"
 #include "grading/build/await_no_writer.hpp"
 #include "grading/build/ninja.hpp"
+#include "grading/build/shown_errors.hpp"
 #include "grading/build/write_file.hpp"
 #include "grading/machine/permissions.hpp"
+#include "grading/machine/tool_turn.hpp"
 #include "grading/places.hpp"
 #include "sandbox/blocked_calls.hpp"
 
@@ -157,25 +159,18 @@ void let_others_use(const ToolRun& tool, const Walls& walls)
             let_others_pass(path);
 }
 
+// Whether a tool, or perhaps a program that it started, was killed although it had time left. The
+// message of a compiler that says so is not asked: a submission can make it print the same text.
+bool was_ended_by_system(const ConfinedRun& run, double time)
+{
+    const bool was_killed = run.signal == SIGKILL && limit_met(run, time) != ToolLimit::time;
+    return was_killed || (!run.ok() && run.oom_kills > 0);
+}
+
 // The largest ratio of wall-clock time to processor time that is expected on a busy machine.
 constexpr double busy = 4;
 
 } // namespace
-
-// Three quarters of the machine's memory, shared by all tools that run at a time: a compiler and
-// its assembler on each processor. The grader keeps the rest. A solution needs far less than
-// `least`.
-std::uint64_t memory_of_a_tool()
-{
-    constexpr std::uint64_t most = std::uint64_t{6} << 30,
-                            least = std::uint64_t{1} << 30; // [bytes]
-    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE),
-               processors = sysconf(_SC_NPROCESSORS_ONLN);
-    if (pages <= 0 || size <= 0 || processors <= 0) return least;
-    const std::uint64_t all = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size),
-                        tools = 2 * static_cast<std::uint64_t>(processors);
-    return std::clamp(all / 4 * 3 / tools, least, most);
-}
 
 std::string chosen_compiler()
 {
@@ -220,14 +215,19 @@ ConfinedRun run_tool(const ToolRun& tool)
     // The last one keeps Clang from starting a symbolizer, which opens a socket, where it crashes.
     walls.environment = {"PATH=/usr/bin:/bin", "LC_ALL=C", "TMPDIR=" + tool.out.string(),
                          "LLVM_DISABLE_SYMBOLIZATION=1"};
-    walls.limits.address_space = memory_of_a_tool();
+    const ToolTurn turn;
+    walls.limits.address_space = own_tool_share().memory;
     // A compiler starts an assembler, and a linker starts some threads for each processor.
     walls.limits.processes = 64 + 4 * std::thread::hardware_concurrency();
     walls.limits.processor_time = static_cast<std::uint64_t>(tool.time);
     walls.limits.file_size = tool.largest_file;
     RunLimits limits;
     limits.time = std::chrono::duration<double>(busy * tool.time);
-    return run_confined(walls, tool.arguments, limits);
+    ConfinedRun run = run_confined(walls, tool.arguments, limits);
+    if (was_ended_by_system(run, tool.time))
+        throw std::runtime_error(tool.arguments[0] +
+                                 " was ended by the system, perhaps because memory ran out");
+    return run;
 }
 
 ConfinedRun make_local(const fs::path& object, const std::vector<std::string>& names,

@@ -39,9 +39,6 @@ Toolchain student_toolchain();
 /// than 100 kB.
 inline constexpr std::uint64_t largest_output = std::uint64_t{16} << 20;
 
-/// The limit on the memory of a compiler or linker [bytes].
-std::uint64_t memory_of_a_tool();
-
 /// The limit on the processor time of a linker, which needs a hundredth of it [s].
 inline constexpr double link_limit = 5;
 
@@ -58,7 +55,8 @@ struct ToolRun {
 
 /// Runs a tool. If it runs as another user, its paths become readable for everybody before,
 /// whatever the umask was when they were made.
-/// @throws std::system_error if it cannot be started in the sandbox
+/// @throws std::system_error if it cannot be started in the sandbox, std::runtime_error if the
+///     system ended it, for example because memory ran out
 ConfinedRun run_tool(const ToolRun& tool);
 
 /// Copies an object to `copy`, whose folder is the tools' own, and makes these names local in it.

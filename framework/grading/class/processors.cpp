@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "grading/class/processors.hpp"
 
+#include "grading/machine/allotment.hpp"
+
 #include <sched.h>
 #include <unistd.h>
 
 namespace rigor {
-
-namespace {
-
-std::vector<int> allowed_processors()
-{
-    std::vector<int> numbers;
-    cpu_set_t allowed;
-    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return {}; // too many for cpu_set_t
-    for (int number = 0; number < CPU_SETSIZE; ++number)
-        if (CPU_ISSET(number, &allowed)) numbers.push_back(number);
-    return numbers;
-}
-
-} // namespace
 
 Processors::Processors() : Processors(allowed_processors())
 {
@@ -54,10 +42,9 @@ void Processors::give_back(int number)
 void keep_to(int processor)
 {
     if (processor < 0) return;
-    cpu_set_t only;
-    CPU_ZERO(&only);
-    CPU_SET(processor, &only);
-    sched_setaffinity(0, sizeof only, &only); // an error is ignored: it only costs time
+    cpu_set_t only[16] = {};
+    CPU_SET_S(processor, sizeof only, only);
+    sched_setaffinity(0, sizeof only, only); // an error is ignored: it only costs time
 }
 
 } // namespace rigor

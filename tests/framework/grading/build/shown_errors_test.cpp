@@ -68,20 +68,46 @@ TEST_CASE("shown errors: a file of others looks like none", "[build]")
 TEST_CASE("shown errors: each limit of a tool is known by its words", "[build]")
 {
     using enum ToolLimit;
-    CHECK(limit_met(0, "c++: internal compiler error: File size limit exceeded signal terminated "
-                       "program as\n") == file_size);
-    CHECK(limit_met(0, "c++: fatal error: CPU time limit exceeded signal terminated program "
-                       "cc1plus\n") == time);
-    CHECK(limit_met(0, "collect2: fatal error: ld terminated with signal 9 [Killed]\n") == time);
+    const auto met = [](int signal, const std::string& output) {
+        ConfinedRun run;
+        run.signal = signal;
+        run.output = output;
+        return limit_met(run, 60);
+    };
+    CHECK(met(0, "c++: internal compiler error: File size limit exceeded signal terminated "
+                 "program as\n") == file_size);
+    CHECK(met(0, "c++: fatal error: CPU time limit exceeded signal terminated program "
+                 "cc1plus\n") == time);
     for (const char* words : {"cc1plus: out of memory allocating 65536 bytes after a total of 9\n",
                               "virtual memory exhausted: Cannot allocate memory\n",
                               "LLVM ERROR: out of memory\n", "as: memory exhausted\n",
                               "terminate called after throwing an instance of 'std::bad_alloc'\n"})
-        CHECK(limit_met(0, words) == memory);
-    CHECK(limit_met(0, "a.cpp:1:2: error: no\n") == none);
-    CHECK(limit_met(SIGXFSZ, "Stack dump:\n") == file_size);
-    CHECK(limit_met(SIGXCPU, "") == time);
-    CHECK(limit_met(SIGSEGV, "") == none);
+        CHECK(met(0, words) == memory);
+    CHECK(met(0, "a.cpp:1:2: error: no\n") == none);
+    CHECK(met(SIGXFSZ, "Stack dump:\n") == file_size);
+    CHECK(met(SIGXCPU, "") == time);
+    CHECK(met(SIGSEGV, "") == none);
+}
+
+TEST_CASE("shown errors: a tool that was killed has met its limit on time or none of its own",
+          "[build]")
+{
+    ConfinedRun run;
+    const auto check_killed = [&] {
+        run.processor_seconds = 3;
+        CHECK(limit_met(run, 60) == ToolLimit::none);
+        run.processor_seconds = 59;
+        CHECK(limit_met(run, 60) == ToolLimit::time);
+    };
+    run.signal = SIGKILL;
+    check_killed();
+    run.signal = 0;
+    for (const char* words : {"c++: fatal error: Killed signal terminated program cc1plus\n",
+                              "collect2: fatal error: ld terminated with signal 9 [Killed]\n",
+                              "clang: error: unable to execute command: Killed\n"}) {
+        run.output = words;
+        check_killed();
+    }
 }
 
 } // namespace rigor::testing::shown_errors_test

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "grading/build/toolchain.hpp"
+
+#include "grading/build/compiled_folder.hpp"
+#include "grading/build/shown_errors.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <atomic>
 #include <thread>
-#include <unistd.h>
 
 namespace rigor::testing::toolchain_test {
 
@@ -22,14 +24,34 @@ TEST_CASE("toolchain: a link reads its inputs by their paths and no folder of th
     CHECK(inputs == tools.linked_inputs.size());
 }
 
-TEST_CASE("toolchain: all tools that run at a time find room in the machine's memory", "[build]")
+TEST_CASE("toolchain: a tool that the system kills is no fault of a submission, one out of time is",
+          "[build]")
 {
-    const double all = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                       static_cast<double>(sysconf(_SC_PAGESIZE)),
-                 processors = static_cast<double>(sysconf(_SC_NPROCESSORS_ONLN));
-    constexpr double least = 1 << 30; // what a compiler needs anyway [bytes]
-    CHECK(static_cast<double>(memory_of_a_tool()) * 2 * processors <=
-          std::max(all, least * 2 * processors));
+    const TemporaryFolder folder;
+    const std::filesystem::path out = folder.path() / "out";
+    std::filesystem::create_directories(out);
+    const auto runs = [&](const std::string& script, double time) {
+        return run_tool({{"/bin/sh", "-c", script}, out, {}, out, largest_output, time});
+    };
+    CHECK_THROWS_WITH(runs("kill -9 $$", 5),
+                      Catch::Matchers::StartsWith("/bin/sh was ended by the system"));
+    const ConfinedRun endless = runs("while :; do :; done", 1);
+    CHECK(limit_met(endless, 1) == ToolLimit::time);
+    // only a submission that forges the message of a compiler
+    const ConfinedRun forged = runs("echo Killed signal terminated program cc1plus; exit 1", 5);
+    CHECK(forged.status == 1);
+}
+
+TEST_CASE("toolchain: a submission whose compiler is killed by the system is not blamed", "[build]")
+{
+    const TemporaryFolder folder;
+    folder.write("inertia.cpp", "int a;\n");
+    Toolchain tools = student_toolchain();
+    tools.compile = {"/bin/sh", "-c", "kill -9 $$"};
+    std::vector<std::string> steps;
+    CHECK_THROWS_AS(CompiledFolder(folder.path(), tools).compile({"inertia"}, {}, steps),
+                    std::runtime_error);
+    std::filesystem::remove_all(CompiledFolder::place_of(folder.path()));
 }
 
 TEST_CASE("toolchain: a file that is taken over is whole at any time", "[build]")
