@@ -67,17 +67,7 @@ fs::path made(const fs::path& folder)
     return folder;
 }
 
-// Whether the disk is full, so that the largest allowed object would not fit. The message of a
-// compiler alone does not prove this, because a submission can make the compiler print the same
-// text.
-bool is_full(const fs::path& disk)
-{
-    std::error_code error;
-    const fs::space_info space = fs::space(disk, error);
-    return !error && space.available < largest_output;
-}
-
-std::string why_it_ended(const ConfinedRun& run, const std::string& file, const fs::path& out)
+std::string why_it_ended(const ConfinedRun& run, const std::string& file)
 {
     const ToolLimit met = limit_met(run, compile_limit);
     if (met == ToolLimit::time)
@@ -92,8 +82,6 @@ std::string why_it_ended(const ConfinedRun& run, const std::string& file, const 
             file, own_tool_share().memory >> 20);
     if (met == ToolLimit::file_size)
         return fmt::format("{}: expected an object of at most {} MB\n", file, largest_output >> 20);
-    if (run.output.find("No space left on device") != std::string::npos && is_full(out))
-        throw std::runtime_error(file + " cannot be compiled: no space left on the disk");
     std::string errors = shown_errors(run.output);
     if (run.flooded) errors += "(there are more messages than anyone reads)\n";
     if (run.signal != 0)
@@ -228,7 +216,7 @@ void CompiledFolder::compile_topic(const std::string& topic, CompiledTopic& comp
     else if (run.ok())
         compiled.errors = forbidden_include(list, compiler.folder);
     else
-        compiled.errors = why_it_ended(run, file, out);
+        compiled.errors = why_it_ended(run, file);
     if (!compiled.errors.empty()) return;
     const ConfinedRun names = run_tool({{"/usr/bin/nm", "-P", object.string()}, out, {out}, out});
     if (!names.ok()) {

@@ -9,6 +9,7 @@
 #include "grading/build/compiled_folder.hpp"
 #include "grading/build/scratch_folder.hpp"
 #include "grading/build/shown_errors.hpp"
+#include "grading/build/write_file.hpp"
 #include "grading/machine/tool_turn.hpp"
 #include "grading/places.hpp"
 #include "grading/process.hpp"
@@ -233,7 +234,7 @@ void keep_objects(std::map<std::string, CompiledTopic>& compiled, const fs::path
         const fs::path kept = into / object.object.filename();
         std::error_code error; // some file systems have no hard links
         fs::create_hard_link(object.object, kept, error);
-        if (error) fs::copy_file(object.object, kept);
+        if (error) write_copy(object.object, kept);
         object.object = kept;
     }
 }

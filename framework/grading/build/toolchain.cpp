@@ -6,6 +6,7 @@
 #include "grading/build/ninja.hpp"
 #include "grading/build/shown_errors.hpp"
 #include "grading/build/write_file.hpp"
+#include "grading/machine/disk_room.hpp"
 #include "grading/machine/permissions.hpp"
 #include "grading/machine/tool_turn.hpp"
 #include "grading/places.hpp"
@@ -227,6 +228,9 @@ ConfinedRun run_tool(const ToolRun& tool)
     if (was_ended_by_system(run, tool.time))
         throw std::runtime_error(tool.arguments[0] +
                                  " was ended by the system, perhaps because memory ran out");
+    // Whatever a tool says when it fails, a full disk may be the reason. Others may have given back
+    // meanwhile what they used of the disk, so there must be room for several files.
+    if (!run.ok()) require_room(tool.out, std::max(4 * largest_output, tool.largest_file));
     return run;
 }
 
@@ -285,7 +289,7 @@ void take_over(const fs::path& made, const fs::path& place)
     if (!is_plain_file(made)) throw std::runtime_error(made.string() + ": expected a file");
     const fs::path draft = place.string() + ".new";
     fs::remove(draft);
-    fs::copy_file(made, draft);
+    write_copy(made, draft);
     await_no_writer(draft);
     fs::rename(draft, place);
     fs::remove(made);

@@ -56,7 +56,7 @@ struct ToolRun {
 /// Runs a tool. If it runs as another user, its paths become readable for everybody before,
 /// whatever the umask was when they were made.
 /// @throws std::system_error if it cannot be started in the sandbox, std::runtime_error if the
-///     system ended it, for example because memory ran out
+///     system ended it, for example because memory ran out, or if it failed where the disk is full
 ConfinedRun run_tool(const ToolRun& tool);
 
 /// Copies an object to `copy`, whose folder is the tools' own, and makes these names local in it.

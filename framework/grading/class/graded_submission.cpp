@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grading/class/graded_submission.hpp"
 
+#include "grading/build/write_file.hpp"
 #include "grading/class/environment.hpp"
 #include "grading/intake/intake.hpp"
 #include "grading/intake/refused.hpp"
@@ -26,9 +27,7 @@ void write_files(const Intake& intake, const fs::path& place)
 {
     for (const auto& [name, text] : intake.files) {
         fs::create_directories((place / name).parent_path());
-        std::ofstream file(place / name, std::ios::binary);
-        file << text << std::flush;
-        if (!file) throw std::runtime_error((place / name).string() + ": cannot be written");
+        write_file(place / name, text);
     }
 }
 

@@ -3,6 +3,7 @@
 // next run makes the same gradebook bit for bit.
 #include "class/made_class.hpp"
 #include "command.hpp"
+#include "framework/grading/memory_disk.hpp"
 #include "graded_class.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
@@ -92,31 +93,6 @@ bool fill_shared_memory()
     std::ofstream("/dev/shm/full") << std::string(1 << 16, 'x');
     return fs::file_size("/dev/shm/full") <= 4096;
 }
-
-// A file system in memory, which is mounted while this object lives, if this user may mount one.
-class MemoryDisk {
-public:
-    MemoryDisk(const fs::path& place, const std::string& options, unsigned long flags = 0)
-        : place_(place)
-    {
-        fs::create_directories(place);
-        is_mounted_ =
-            geteuid() == 0 && mount("tmpfs", place.c_str(), "tmpfs", flags, options.c_str()) == 0;
-    }
-    ~MemoryDisk()
-    {
-        if (is_mounted_) umount2(place_.c_str(), MNT_DETACH);
-    }
-    MemoryDisk(const MemoryDisk&) = delete;
-    MemoryDisk& operator=(const MemoryDisk&) = delete;
-
-    bool is_mounted() const { return is_mounted_; }
-    void grow() const { mount("tmpfs", place_.c_str(), "tmpfs", MS_REMOUNT, "size=64m"); }
-
-private:
-    fs::path place_;
-    bool is_mounted_ = false;
-};
 
 } // namespace
 
@@ -232,7 +208,7 @@ TEST_CASE("grade: a full disk is one line and no half file, and room lets the ru
     CHECK(is_one_line(full.output, "No space left on device"));
     CHECK(!has_drafts(out));
     CHECK(!fs::exists(out / "gradebook.csv"));
-    disk.grow();
+    REQUIRE(disk.remount("size=64m"));
     const Run resumed = grade(submissions, out);
     CAPTURE(resumed.output);
     REQUIRE(resumed.status == 0);
