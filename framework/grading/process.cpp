@@ -5,6 +5,7 @@
 #include "grading/process.hpp"
 
 #include "sandbox/argument_pointers.hpp"
+#include "sandbox/notice_children.hpp"
 
 #include <array>
 #include <cerrno>
@@ -170,6 +171,7 @@ void collect(pid_t child, const Command& command, LinePipe& output, LinePipe& me
 
 Ended run(const Command& command, const OnLine& on_output, const OnLine& on_message)
 {
+    notice_children();
     const std::vector<char*> arguments = argument_pointers(command.arguments);
     const std::vector<std::string> environment = environment_with(command.environment);
     std::vector<char*> variables = argument_pointers(environment);

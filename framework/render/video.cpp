@@ -4,6 +4,7 @@
 #include "render/video.hpp"
 
 #include "errors/input_error.hpp"
+#include "sandbox/notice_children.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -59,6 +60,7 @@ std::string last_line(int descriptor)
 Video::Video(const std::filesystem::path& file, int width, int height, double frames_per_second)
     : file_(file), partial_(file)
 {
+    notice_children();
     partial_ += ".part";
     // A socket is used instead of a pipe, since writing to an ffmpeg that died is then an error and
     // not a signal.

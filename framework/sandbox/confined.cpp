@@ -9,6 +9,7 @@
 
 #include "sandbox/argument_pointers.hpp"
 #include "sandbox/launcher.hpp"
+#include "sandbox/notice_children.hpp"
 #include "sandbox/report.hpp"
 
 #include <fmt/format.h>
@@ -40,15 +41,6 @@ namespace {
 void check(int result, const char* what)
 {
     if (result < 0) throw_errno(errno, what);
-}
-
-/// Makes this process no longer ignore SIGCHLD. While it ignores this signal, it cannot find out
-/// how its children ended.
-void notice_children()
-{
-    struct sigaction now {};
-    if (sigaction(SIGCHLD, nullptr, &now) == 0 && now.sa_handler == SIG_IGN)
-        signal(SIGCHLD, SIG_DFL);
 }
 
 void add_walls(std::vector<std::string>& options, const Walls& walls, unsigned user)

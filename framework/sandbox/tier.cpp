@@ -9,6 +9,7 @@
 #include "errors/input_error.hpp"
 #include "sandbox/descriptor.hpp"
 #include "sandbox/launcher.hpp"
+#include "sandbox/notice_children.hpp"
 
 #include <fmt/format.h>
 
@@ -30,6 +31,7 @@ namespace {
 // What the launcher prints with --probe: the walls that work, in one line.
 std::string probed()
 {
+    notice_children();
     Ends ends = output_pipe();
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);

@@ -4,6 +4,7 @@
 #include "errors/input_error.hpp"
 #include "errors/printable.hpp"
 #include "grading/class/processors.hpp"
+#include "sandbox/notice_children.hpp"
 
 #include <algorithm>
 #include <array>
@@ -95,6 +96,7 @@ std::string last_line(std::string text)
 Isolated::Isolated(const std::function<std::string()>& work)
     : text_(file_in_memory("result")), said_(file_in_memory("said"))
 {
+    notice_children();
     std::fflush(nullptr); // otherwise the new process would print the buffered text again
     process_ = fork();
     if (process_ == 0) work_and_exit(work, text_, said_);

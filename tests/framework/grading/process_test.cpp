@@ -81,6 +81,14 @@ TEST_CASE("process: an endless line is handed over in pieces", "[process]")
     REQUIRE(result.output.size() >= 2);
 }
 
+TEST_CASE("process: its end is noticed even if SIGCHLD was ignored", "[process]")
+{
+    std::signal(SIGCHLD, SIG_IGN);
+    const Heard result = heard("sh -c 'exit 3'; exit $?", 20);
+    REQUIRE(result.ended.status == 3);
+    REQUIRE_FALSE(result.ended.timed_out);
+}
+
 TEST_CASE("process: what cannot be started is an error", "[process]")
 {
     Command command;

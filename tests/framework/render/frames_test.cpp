@@ -243,6 +243,7 @@ TEST_CASE("frames: what ffmpeg died of is told and no torn video stays", "[rende
     FrameOptions options = options_for(folder);
     options.video = true;
     const Path fake(tools.path().string());
+    std::signal(SIGCHLD, SIG_IGN); // as it may be for a program that a daemon starts
     CHECK_THROWS_WITH(run(options, 30),
                       (folder.path() / "out.mp4").string() + ": ffmpeg failed: no codec today");
     for (const std::string& name : names_in(folder.path()))

@@ -126,6 +126,17 @@ TEST_CASE("isolated: a piece of work keeps to one processor and another one to a
     REQUIRE(processors() == all); // the grader itself goes where it likes
 }
 
+TEST_CASE("isolated: its end is noticed even if SIGCHLD was ignored", "[class]")
+{
+    std::signal(SIGCHLD, SIG_IGN);
+    std::string text;
+    const Isolation how{1, false, std::chrono::seconds(20)};
+    run_isolated(
+        1, how, [](std::size_t) { return "done"; },
+        [&](const WorkDone& done) { text = done.text.value_or(done.fault); });
+    REQUIRE(text == "done");
+}
+
 TEST_CASE("isolated: a long result comes whole", "[class]")
 {
     const std::string text(3 << 20, 'x');
