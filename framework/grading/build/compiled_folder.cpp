@@ -61,6 +61,20 @@ std::uint64_t hash_of_contract(const Toolchain& tools)
     return hash;
 }
 
+// A hash of the names and contents of all files in a folder and below, continued from `hash`.
+std::uint64_t hash_of_files(const fs::path& folder, std::uint64_t hash)
+{
+    std::vector<fs::path> files;
+    std::error_code error; // a folder that is gone counts as empty
+    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+        if (is_plain_file(entry->path())) files.push_back(entry->path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files)
+        hash = hash_of(file.string() + '\0' + content_of(file) + '\0', hash);
+    return hash;
+}
+
 fs::path made(const fs::path& folder)
 {
     fs::create_directories(folder);
@@ -143,11 +157,24 @@ CompiledFolder::CompiledFolder(const fs::path& folder, const Toolchain& tools)
     : tools_(tools), place_(made(place_of(folder))), lock_(place_),
       files_(take_files(folder, place_ / "files")),
       surroundings_(hash_of(fmt::format("{} {:x}", fmt::join(tools.compile, " "), files_.hash),
-                            hash_of_contract(tools)))
+                            hash_of_contract(tools))),
+      inputs_(hash_of_inputs())
 {
     if (files_.topics.empty() && files_.refused.empty())
         throw InputError(fmt::format("{}: expected some of {}.cpp, found none", folder.string(),
                                      fmt::join(topics(), ".cpp, ")));
+}
+
+std::uint64_t CompiledFolder::hash_of_inputs() const
+{
+    return hash_of_files(place_ / "files", hash_of_contract(tools_));
+}
+
+void CompiledFolder::require_untouched() const
+{
+    if (hash_of_inputs() == inputs_) return;
+    throw std::runtime_error("somebody has removed or changed files while they were compiled: " +
+                             (place_ / "files").string());
 }
 
 bool CompiledFolder::has(const std::string& topic) const
@@ -276,6 +303,9 @@ std::map<std::string, CompiledTopic> CompiledFolder::compile(const std::vector<s
     work();
     for (std::future<void>& other : others)
         other.get();
+    if (std::any_of(stale.begin(), stale.end(),
+                    [](const auto* entry) { return !entry->second.errors.empty(); }))
+        require_untouched();
     return all;
 }
 

@@ -56,9 +56,14 @@ public:
     /// date.
     /// @param steps  gets a line for each file that was compiled
     /// @return for each topic that the folder has, its object or why there is none
+    /// @throws std::runtime_error if a file does not compile and `require_untouched` throws
     std::map<std::string, CompiledTopic> compile(const std::vector<std::string>& topics,
                                                  const OnBuildStep& on_step,
                                                  std::vector<std::string>& steps);
+
+    /// Errors of a compiler or linker say nothing about the submission if somebody has removed or
+    /// changed the files that it read. @throws std::runtime_error in this case
+    void require_untouched() const;
 
     /// SHA-256 of all files that were copied, with their names.
     const std::string& digest() const { return files_.digest; }
@@ -70,6 +75,7 @@ public:
     const std::filesystem::path& place() const { return place_; }
 
 private:
+    std::uint64_t hash_of_inputs() const;
     CompiledTopic up_to_date(const std::string& topic) const;
     void compile_topic(const std::string& topic, CompiledTopic& compiled) const;
     std::filesystem::path object_of(const std::string& topic) const;
@@ -85,6 +91,9 @@ private:
     // framework/formulas, no_file_queries.hpp, the precompiled header, the copied files that are no
     // topic's file, and which topics' files there are.
     std::uint64_t surroundings_;
+    // A hash of all files that a compiler may read here: the copied files, and those of the
+    // framework.
+    std::uint64_t inputs_;
 };
 
 } // namespace rigor

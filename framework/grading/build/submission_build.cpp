@@ -270,6 +270,7 @@ SubmissionBuild build_submission(const fs::path& folder, const OnBuildStep& on_s
     for (const auto& [topic, object] : compiled)
         link.add(topic, object);
     link_worker(link, own.place(), compiled, build);
+    if (!build.broken.empty()) own.require_untouched();
     build.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     return build;
 }
@@ -287,8 +288,13 @@ void prepare_submission_builds(const OnBuildStep& on_step)
 
 void remove_submission_build(const fs::path& folder)
 {
+    const fs::path place = CompiledFolder::place_of(folder), gone = place.string() + ".gone";
     std::error_code error;
-    fs::remove_all(CompiledFolder::place_of(folder), error);
+    fs::remove_all(gone, error);
+    // All files vanish at once, so that a build that fails for want of one finds the others gone.
+    fs::rename(place, gone, error);
+    fs::remove_all(place, error);
+    fs::remove_all(gone, error);
 }
 
 } // namespace rigor

@@ -29,7 +29,7 @@ struct SubmissionBuild {
 /// other. Other builds wait only for what they share: the framework and student/.
 /// @throws InputError if the folder has no file of any topic, std::system_error if the sandbox
 ///     cannot be set up, std::runtime_error for other faults, such as code of the framework that
-///     does not compile
+///     does not compile, or files that somebody removes during the build
 SubmissionBuild build_submission(const std::filesystem::path& folder, const OnBuildStep& on_step);
 
 /// Builds what all submissions share: the framework's part of a worker, and the objects of
@@ -38,7 +38,7 @@ SubmissionBuild build_submission(const std::filesystem::path& folder, const OnBu
 void prepare_submission_builds(const OnBuildStep& on_step);
 
 /// Removes what was built from a folder, even if the folder itself is gone. A build of this folder
-/// that runs at the same time would lose its files.
+/// that runs at the same time loses its files, and throws.
 void remove_submission_build(const std::filesystem::path& folder);
 
 } // namespace rigor

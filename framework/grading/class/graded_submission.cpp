@@ -14,6 +14,7 @@
 #include <ctime>
 #include <fmt/format.h>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -29,6 +30,22 @@ void write_files(const Intake& intake, const fs::path& place)
         fs::create_directories((place / name).parent_path());
         write_file(place / name, text);
     }
+}
+
+// Throws if somebody has removed or changed what was graded: a test may have failed for want of a
+// file, and would count as the student's failure.
+void require_untouched(const Intake& intake, const fs::path& place, const fs::path& worker)
+{
+    for (const auto& [name, text] : intake.files) {
+        std::ifstream in(place / name, std::ios::binary);
+        if (!in || std::string(std::istreambuf_iterator<char>(in), {}) != text)
+            throw std::runtime_error(
+                "somebody has removed or changed a file while it was graded: " +
+                (place / name).string());
+    }
+    if (!fs::exists(worker))
+        throw std::runtime_error("somebody has removed a worker while it was graded: " +
+                                 worker.string());
 }
 
 std::string time_now()
@@ -97,6 +114,7 @@ ResultFiles graded_submission(const Selection& selection, const Submission& subm
         implementation = build_implementation(place.string());
         implementation.name = submission.name;
         result = grade(selection, implementation, run);
+        require_untouched(intake, place, implementation.worker);
         if (!intake.ignored.empty())
             result.notes.push_back("ignored: " + first_names(intake.ignored));
         if (!implementation.left_out.empty())

@@ -25,7 +25,8 @@ ResultFiles unpacked(const std::string& text);
 
 /// Takes the files of a submission, builds a worker from them and runs the tests.
 /// @param place  a new folder, for the files of the submission
-/// @throws std::runtime_error with the reason if a fault of the framework prevents grading
+/// @throws std::runtime_error with the reason if a fault of the framework prevents grading, or if
+///     somebody removes or changes the files in `place` or the worker meanwhile
 ResultFiles graded_submission(const Selection& selection, const Submission& submission,
                               const GradingRun& run, const std::filesystem::path& place,
                               const std::string& fingerprint);

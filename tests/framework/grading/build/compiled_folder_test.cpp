@@ -5,6 +5,8 @@
 #include "support/temporary_folder.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <stdexcept>
 
 namespace rigor::testing::compiled_folder_test {
 
@@ -82,6 +84,33 @@ TEST_CASE("compiled folder: a file is compiled again if it asks for one that is 
     CompiledFolder(folder.path(), tools).compile({"contact"}, {}, steps);
     CHECK(steps.size() == 2);
     fs::remove_all(CompiledFolder::place_of(folder.path()));
+}
+
+TEST_CASE("compiled folder: what fails for want of a removed file is no error of the student",
+          "[build]")
+{
+    const TemporaryFolder folder;
+    const Toolchain tools = student_toolchain();
+    const fs::path place = CompiledFolder::place_of(folder.path());
+    std::vector<std::string> steps;
+    folder.write("contact.cpp", "#include \"own.hpp\"\nint b = a;\n");
+    folder.write("own.hpp", "constexpr int a = 1;\n");
+    for (const fs::path& gone : {place / "files/own.hpp", place / "files"}) {
+        CompiledFolder compiled(folder.path(), tools);
+        fs::remove_all(gone);
+        CHECK_THROWS_AS(compiled.compile({"contact"}, {}, steps), std::runtime_error);
+    }
+    {
+        CompiledFolder compiled(folder.path(), tools);
+        folder.write("own.hpp", "none\n"); // a copy has been taken
+        CHECK(compiled.compile({"contact"}, {}, steps).at("contact").errors.empty());
+        fs::remove(place / "contact.o");
+        std::ofstream(place / "files/own.hpp") << "another\n";
+        CHECK_THROWS_AS(compiled.compile({"contact"}, {}, steps), std::runtime_error);
+    }
+    CompiledFolder wrong(folder.path(), tools);
+    CHECK(!wrong.compile({"contact"}, {}, steps).at("contact").errors.empty());
+    fs::remove_all(place);
 }
 
 } // namespace rigor::testing::compiled_folder_test

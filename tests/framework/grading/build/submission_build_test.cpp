@@ -123,4 +123,19 @@ TEST_CASE("submission build: a right file is not blamed for a disk that is full 
     remove_submission_build(folder.path());
 }
 
+TEST_CASE("submission build: what is removed while it is built is no error of the student",
+          "[build]")
+{
+    const TemporaryFolder folder;
+    folder.write("inertia.cpp", "");
+    // The object is gone before it is linked.
+    const auto remove = [&](int, int, const std::string& step) {
+        if (step == "Building inertia.cpp") remove_submission_build(folder.path());
+    };
+    CHECK_THROWS_AS(build_submission(folder.path(), remove), std::runtime_error);
+    CHECK(build_submission(folder.path(), {}).broken.empty());
+    remove_submission_build(folder.path());
+    CHECK(!fs::exists(CompiledFolder::place_of(folder.path())));
+}
+
 } // namespace rigor::testing::submission_build_test
