@@ -22,7 +22,7 @@ WorkFolders::WorkFolders(const fs::path& out, const std::string& part)
 
 WorkFolders::~WorkFolders()
 {
-    clear();
+    if (!are_left_) clear();
 }
 
 fs::path WorkFolders::make(const std::string& name) const

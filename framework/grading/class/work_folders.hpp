@@ -7,7 +7,8 @@
 namespace rigor {
 
 /// The folders that the submissions of a class are unpacked in. The destructor removes them, with
-/// what was built from them. The constructor removes folders that a killed run has left.
+/// what was built from them. The constructor removes folders that a killed run has left. In both
+/// cases no process may work in them any more.
 class WorkFolders {
 public:
     /// @param out  the results' folder, which tells the runs apart
@@ -20,12 +21,16 @@ public:
 
     std::filesystem::path make(const std::string& name) const;
     void remove(const std::string& name) const;
+    /// Keeps the destructor from removing the folders, because somebody may still work in them.
+    void leave() { are_left_ = true; }
+    bool are_left() const { return are_left_; }
 
 private:
     void clear() const;
 
     std::filesystem::path folder_;
     std::string prefix_; // the names of this part's folders begin with it
+    bool are_left_ = false;
 };
 
 } // namespace rigor

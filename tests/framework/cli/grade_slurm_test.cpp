@@ -4,7 +4,9 @@
 #include "class/slurm_cluster.hpp"
 #include "command.hpp"
 #include "graded_class.hpp"
+#include "grading/build/submission_files.hpp"
 #include "grading/class/slurm/commands.hpp"
+#include "grading/class/slurm/shared_folder.hpp"
 #include "sandbox/argument_pointers.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
@@ -12,6 +14,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <functional>
 #include <sched.h>
 #include <sys/mount.h>
@@ -84,11 +87,20 @@ int state_of(pid_t process)
     return state;
 }
 
-// The number of the job, which the run wrote to its folder.
+// The number of the job, which the run wrote to its folder. It is empty while there is none, or
+// while an earlier run has a folder too.
 std::string job_of(const fs::path& out)
 {
-    std::string text = text_in(out / ".rigor/slurm/job");
-    return text.substr(0, text.find('\n'));
+    const std::vector<slurm::SharedFolder> runs = slurm::SharedFolder::all(out);
+    return runs.size() == 1 ? runs[0].job() : "";
+}
+
+// Whether none of the tasks of a job runs any more.
+bool is_over(const std::string& job, const fs::path& out)
+{
+    const std::string name = fmt::format("rigor-{:016x}", hash_of(fs::canonical(out).string()));
+    const auto counts = slurm::task_counts(job, name);
+    return counts && counts->is_over();
 }
 
 } // namespace
@@ -140,6 +152,7 @@ TEST_CASE("slurm: a run that is killed goes on where it was", "[.long][class][sl
     REQUIRE(resumed.status == 0);
     CHECK(!contains(resumed.output, "8 graded now"));
     CHECK(class_files(out) == class_files(local));
+    CHECK(!fs::exists(out / ".rigor/slurm"));
 }
 
 TEST_CASE("slurm: what goes wrong with the cluster is one line", "[.long][class][slurm]")
@@ -158,14 +171,12 @@ TEST_CASE("slurm: what goes wrong with the cluster is one line", "[.long][class]
     CHECK((WIFSIGNALED(state) && WTERMSIG(state) == SIGINT));
     CHECK(contains(text_in(output), "is cancelled, and the same command goes on from here"));
     std::string job = job_of(out);
-    CHECK(comes_true([&] {
-        const auto counts = slurm::task_counts(job);
-        return counts && counts->is_over();
-    }));
+    CHECK(is_over(job, out));
 
     // Somebody cancels the job.
     process = started(submissions, out, output);
-    REQUIRE(comes_true([&] { return job_of(out) != job && cluster.is_busy(1); }));
+    REQUIRE(comes_true(
+        [&] { return !job_of(out).empty() && job_of(out) != job && cluster.is_busy(1); }));
     job = job_of(out);
     REQUIRE(rigor::run({{"scancel", job}, {}, 60, 0, {}, false}, [](std::string_view) {}).ok());
     state = state_of(process);
@@ -178,7 +189,7 @@ TEST_CASE("slurm: what goes wrong with the cluster is one line", "[.long][class]
     const Run silent = rigor(slurm_arguments(submissions, out));
     CAPTURE(silent.output);
     CHECK(silent.status == 2);
-    CHECK(is_one_line(silent.output, "Unable to contact slurm controller"));
+    CHECK(is_one_line(silent.output, "Slurm does not answer"));
 }
 
 TEST_CASE("slurm: a results folder that the nodes do not see is one line", "[.long][class][slurm]")

@@ -116,10 +116,10 @@ TaskCounts parsed_counts(const std::vector<std::string>& lines)
     return counts;
 }
 
-std::optional<TaskCounts> task_counts(const std::string& job)
+std::optional<TaskCounts> task_counts(const std::string& job, const std::string& name)
 {
-    const Answer answer = asked(
-        {"squeue", "--noheader", "--array", "--states=all", "--jobs=" + job, "--format=%T|%r"});
+    const Answer answer = asked({"squeue", "--noheader", "--array", "--states=all", "--jobs=" + job,
+                                 "--name=" + name, "--format=%T|%r"});
     if (answer.ok) return parsed_counts(answer.lines);
     for (const std::string& line : answer.lines)
         if (line.find("Invalid job id") != std::string::npos) return TaskCounts{};

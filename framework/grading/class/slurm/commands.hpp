@@ -38,14 +38,14 @@ struct TaskCounts {
     bool is_over() const { return waiting + running == 0; }
 };
 
-/// The counts that Slurm reports for a job. They are all 0 if Slurm has forgotten the job, as it
-/// does some minutes after the job's end. The result is empty if Slurm does not answer.
-std::optional<TaskCounts> task_counts(const std::string& job);
+/// The counts that Slurm reports for a job of this name. They are all 0 if Slurm has forgotten the
+/// job, as it does some minutes after the job's end. The result is empty if Slurm does not answer.
+std::optional<TaskCounts> task_counts(const std::string& job, const std::string& name);
 
 /// Counts the tasks in the output of `squeue --format=%T|%r`, which has a line for each task.
 TaskCounts parsed_counts(const std::vector<std::string>& lines);
 
-/// Cancels a job, if it has this name and still waits or runs.
+/// Cancels a job, if it has this name and still waits or runs. Its tasks may still run for a while.
 void cancel(const std::string& job, const std::string& name);
 
 } // namespace rigor::slurm

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <stdexcept>
 
 namespace rigor::slurm {
@@ -66,7 +67,24 @@ std::string log_name(unsigned round, const std::string& task)
 
 } // namespace
 
-SharedFolder::SharedFolder(const fs::path& out) : folder_(out / ".rigor" / "slurm") {}
+std::string new_run()
+{
+    std::random_device random;
+    return fmt::format("{:08x}{:08x}", random(), random());
+}
+
+SharedFolder::SharedFolder(const fs::path& out, const std::string& run)
+    : folder_(out / ".rigor" / "slurm" / run)
+{
+}
+
+std::vector<SharedFolder> SharedFolder::all(const fs::path& out)
+{
+    std::vector<SharedFolder> folders;
+    for (const std::string& run : names_in(out / ".rigor" / "slurm"))
+        folders.emplace_back(out, run);
+    return folders;
+}
 
 void SharedFolder::make() const
 {
@@ -76,11 +94,6 @@ void SharedFolder::make() const
         if (error)
             throw InputError((folder_ / name).string() + ": cannot be made: " + error.message());
     }
-    for (const std::string& name : names_in(folder_ / "ended"))
-        fs::remove(folder_ / "ended" / name);
-    for (const std::string& name : names_in(folder_ / "log"))
-        fs::remove(folder_ / "log" / name);
-    fs::remove(folder_ / "control_fault");
     write_whole(script(), "#!/bin/sh\nexec \"$@\"\n");
 }
 
@@ -88,6 +101,7 @@ void SharedFolder::remove() const
 {
     std::error_code error;
     fs::remove_all(folder_, error);
+    fs::remove(folder_.parent_path(), error); // if this was the only run
 }
 
 fs::path SharedFolder::write_plan(const Plan& plan) const
@@ -102,7 +116,8 @@ fs::path SharedFolder::write_plan(const Plan& plan) const
                                {"refusal", submission.refusal},
                                {"fingerprint", plan.fingerprints[i]}});
     }
-    const Json json = {{"round", plan.round},
+    const Json json = {{"run", plan.run},
+                       {"round", plan.round},
                        {"assignment", plan.assignment},
                        {"out", in_plan(plan.out)},
                        {"seed", plan.seed},
@@ -119,7 +134,8 @@ Plan read_plan(const fs::path& file)
 {
     try {
         const Json json = Json::parse(text_in(file).value_or(""));
-        Plan plan = {json.at("round"),
+        Plan plan = {json.at("run"),
+                     json.at("round"),
                      json.at("assignment"),
                      json.at("out"),
                      json.at("seed"),
@@ -170,23 +186,18 @@ void SharedFolder::write_graded(const std::string& fingerprint, const ResultFile
     write_by_task(folder_ / "graded" / fingerprint, packed(files));
 }
 
-void SharedFolder::remove_graded(const std::string& fingerprint) const
-{
-    fs::remove(folder_ / "graded" / fingerprint);
-}
-
 void SharedFolder::write_ended(unsigned round, std::size_t task) const
 {
     write_by_task(folder_ / "ended" / fmt::format("{}.{}", round, task), "");
 }
 
-std::set<std::size_t> SharedFolder::ended(unsigned round) const
+std::set<std::size_t> SharedFolder::ended(unsigned round, std::size_t tasks) const
 {
-    std::set<std::size_t> tasks;
-    const std::string start = fmt::format("{}.", round);
-    for (const std::string& name : names_in(folder_ / "ended"))
-        if (name.starts_with(start)) tasks.insert(std::stoul(name.substr(start.size())));
-    return tasks;
+    const std::set<std::string> names = names_in(folder_ / "ended");
+    std::set<std::size_t> ended;
+    for (std::size_t task = 0; task < tasks; ++task)
+        if (names.count(fmt::format("{}.{}", round, task))) ended.insert(task);
+    return ended;
 }
 
 void SharedFolder::write_control_fault(const std::string& fault) const

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A folder inside the results' folder. Through the files in it, the machine that grades a class
-// exchanges data with the nodes of a cluster. Every file but the logs is written whole, so a reader
-// finds all of the file or no file. The controls in this list are submissions whose points are
-// known.
+// exchanges data with the nodes of a cluster. Each run has a folder of its own, `.rigor/slurm/RUN`:
+// tasks of an earlier run, which may still write, cannot be taken for those of this run. Every file
+// but the logs is written whole, so a reader finds all of the file or no file. The controls in this
+// list are submissions whose points are known.
 //
 //     plan_1.json     what the tasks of the first job are to grade, and how
 //     job             the id of the job that was submitted last
@@ -25,6 +26,7 @@ namespace rigor::slurm {
 
 /// What a job array of Slurm is to grade.
 struct Plan {
+    std::string run;    // the name of the run's folder
     unsigned round = 1; // number of the job; a job after the first one grades lost submissions
     std::string assignment, out;
     std::uint32_t seed = 0;
@@ -35,13 +37,19 @@ struct Plan {
     std::vector<std::vector<std::size_t>> chunks; // for each task, indices in `submissions`
 };
 
+/// A name for a run that no other run has. It is drawn at random, and no part of any result.
+std::string new_run();
+
 class SharedFolder {
 public:
     /// @param out  the results' folder, absolute
-    explicit SharedFolder(const std::filesystem::path& out);
+    /// @param run  the name of the run
+    SharedFolder(const std::filesystem::path& out, const std::string& run);
+    /// The folders of all runs that have one. A run removes its folder at its end, unless it was
+    /// broken off.
+    static std::vector<SharedFolder> all(const std::filesystem::path& out);
 
-    /// Makes the folder and its script. Removes what the tasks of an earlier run left in it, except
-    /// for `graded`. @throws InputError if the folder cannot be written
+    /// Makes the folder and its script. @throws InputError if the folder cannot be written
     void make() const;
     void remove() const;
 
@@ -57,12 +65,11 @@ public:
     /// The fingerprints of all submissions that tasks have written texts about.
     std::set<std::string> all_graded() const;
     void write_graded(const std::string& fingerprint, const ResultFiles& files) const;
-    void remove_graded(const std::string& fingerprint) const;
 
     void write_ended(unsigned round, std::size_t task) const;
-    /// The tasks of a job that have ended and whose controls (submissions with known points) were
-    /// right.
-    std::set<std::size_t> ended(unsigned round) const;
+    /// Those of the first `tasks` tasks of a job that have ended and whose controls (submissions
+    /// with known points) were right.
+    std::set<std::size_t> ended(unsigned round, std::size_t tasks) const;
 
     void write_control_fault(const std::string& fault) const;
     std::string control_fault() const;

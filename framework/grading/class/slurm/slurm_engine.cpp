@@ -11,6 +11,7 @@
 #include "grading/build/submission_files.hpp"
 #include "grading/class/slurm/commands.hpp"
 #include "grading/class/slurm/interruption.hpp"
+#include "grading/class/slurm/running_job.hpp"
 #include "grading/class/slurm/shared_folder.hpp"
 #include "grading/class/work_folders.hpp"
 #include "report/exports/row.hpp"
@@ -37,50 +38,27 @@ constexpr std::chrono::minutes longest_silence(10);
 // for some seconds, so files of another machine appear late.
 constexpr std::chrono::seconds last_look(5);
 
-// A job of Slurm. The destructor cancels it, unless it was released.
-class RunningJob {
-public:
-    RunningJob(const slurm::ArrayJob& job, const slurm::SharedFolder& shared)
-        : name_(job.name), number_(slurm::submit(job))
-    {
-        shared.write_job(number_);
-    }
-    ~RunningJob()
-    {
-        if (!has_ended_) slurm::cancel(number_, name_);
-    }
-    RunningJob(const RunningJob&) = delete;
-    RunningJob& operator=(const RunningJob&) = delete;
-
-    const std::string& number() const { return number_; }
-    /// From now on the destructor does not cancel the job, because it has ended or Slurm does not
-    /// answer.
-    void release() { has_ended_ = true; }
-
-private:
-    std::string name_, number_;
-    bool has_ended_ = false;
-};
-
 class SlurmRun {
 public:
     SlurmRun(const SlurmOptions& options, const ClassWork& work,
              const std::vector<std::size_t>& numbers, const OnGraded& on_graded,
              const OnWait& on_wait)
         : options_(options), work_(work), on_graded_(on_graded), on_wait_(on_wait),
-          missing_(numbers), shared_(work.out), folders_(work.out),
+          missing_(numbers), run_(slurm::new_run()), shared_(work.out, run_),
           name_(fmt::format("rigor-{:016x}", hash_of(work.out.string())))
     {
     }
 
     std::string grade_all()
     {
-        take_over_from_broken_run();
+        take_over_from_broken_runs();
+        shared_.make();
+        folders_.emplace(work_.out);
         for (round_ = 1;; ++round_) {
             const slurm::Plan plan = next_plan();
             run_round(plan);
             std::string fault = shared_.control_fault();
-            const std::size_t lost = plan.chunks.size() - shared_.ended(round_).size();
+            const std::size_t lost = plan.chunks.size() - ended(plan).size();
             if (fault.empty() && lost > 0) {
                 const std::string reason = first_reason(plan);
                 note(fmt::format("{} of {} tasks of Slurm's job were lost{}", lost,
@@ -91,7 +69,7 @@ public:
                 if (round_ <= most_rounds) continue;
                 fault = "control after the last submission could not be graded" + reason;
             }
-            shared_.remove();
+            if (!folders_->are_left()) shared_.remove();
             return fault;
         }
     }
@@ -102,31 +80,41 @@ private:
         if (options_.on_note) options_.on_note(text);
     }
 
-    // Cancels the job of a run that was killed. The results that this job has made are taken,
-    // except those that report a fault.
-    void take_over_from_broken_run()
+    // Ends the jobs of runs that were broken off. The results that these jobs have made are taken,
+    // except those that report a fault, and all of a run whose control was wrong.
+    void take_over_from_broken_runs()
     {
-        if (const std::string job = shared_.job(); !job.empty()) slurm::cancel(job, name_);
-        shared_.make();
-        for (const std::string& fingerprint : shared_.all_graded()) {
-            const std::optional<ResultFiles> files = shared_.graded(fingerprint);
-            const std::optional<Row> row =
-                files ? read_row(files->at("result.json")) : std::nullopt;
-            if (!row || row->fingerprint != fingerprint) shared_.remove_graded(fingerprint);
+        for (const slurm::SharedFolder& broken : slurm::SharedFolder::all(work_.out)) {
+            if (const std::string job = broken.job(); !job.empty())
+                slurm::end_job(job, name_,
+                               [&] { on_wait_("waiting for the end of Slurm's job " + job, ""); });
+            if (broken.control_fault().empty()) take_results(broken, false);
+            broken.remove();
         }
-        take_results();
     }
 
-    void take_results()
+    // @param with_faults  whether to take results that report a fault; they have no fingerprint
+    void take_results(const slurm::SharedFolder& from, bool with_faults)
     {
-        const std::set<std::string> there = shared_.all_graded();
+        const auto is_wanted = [&](const ResultFiles& files, const std::string& fingerprint) {
+            const std::optional<Row> row = read_row(files.at("result.json"));
+            return with_faults || (row && row->fingerprint == fingerprint);
+        };
+        const std::set<std::string> there = from.all_graded();
         std::erase_if(missing_, [&](std::size_t i) {
             const std::string& fingerprint = work_.fingerprints[i];
             const std::optional<ResultFiles> files =
-                there.count(fingerprint) ? shared_.graded(fingerprint) : std::nullopt;
-            if (files) on_graded_(i, *files);
-            return files.has_value();
+                there.count(fingerprint) ? from.graded(fingerprint) : std::nullopt;
+            if (!files || !is_wanted(*files, fingerprint)) return false;
+            on_graded_(i, *files);
+            return true;
         });
+    }
+
+    // The tasks of a job that have ended well.
+    std::set<std::size_t> ended(const slurm::Plan& plan) const
+    {
+        return shared_.ended(plan.round, plan.chunks.size());
     }
 
     // The plan of the next job. If no submission is missing, the job has one task, which grades
@@ -134,6 +122,7 @@ private:
     slurm::Plan next_plan() const
     {
         slurm::Plan plan;
+        plan.run = run_;
         plan.round = round_;
         plan.assignment = work_.selection.assignment.name;
         plan.out = work_.out.string();
@@ -168,14 +157,14 @@ private:
     void run_round(const slurm::Plan& plan)
     {
         const Interruption interruption;
-        RunningJob job(job_for(plan), shared_);
+        slurm::RunningJob job(job_for(plan), shared_, *folders_);
         note(fmt::format("Slurm's job {} has {} {}", job.number(), plan.chunks.size(),
                          plan.chunks.size() == 1 ? "task" : "tasks"));
         const slurm::TaskCounts counts = follow(job, plan, interruption);
-        take_results();
-        if (!shared_.control_fault().empty()) return; // ~RunningJob cancels the job
-        job.release();
-        const bool is_whole = shared_.ended(round_).size() == plan.chunks.size();
+        take_results(shared_, true);
+        if (!shared_.control_fault().empty()) return; // ~RunningJob ends the job
+        job.note_end();
+        const bool is_whole = ended(plan).size() == plan.chunks.size();
         if (!is_whole && counts.cancelled > 0)
             throw InputError(fmt::format("Slurm's job {} was cancelled: the same command goes on "
                                          "from here",
@@ -187,19 +176,19 @@ private:
 
     // Returns when all tasks have ended well, when no task waits or runs any more, or when a
     // control (a submission with known points) was wrong.
-    slurm::TaskCounts follow(RunningJob& job, const slurm::Plan& plan,
+    slurm::TaskCounts follow(slurm::RunningJob& job, const slurm::Plan& plan,
                              const Interruption& interruption)
     {
         slurm::TaskCounts counts;
         Clock::time_point asked = {}, answered = Clock::now();
         while (true) {
-            take_results();
-            if (!shared_.control_fault().empty() ||
-                shared_.ended(round_).size() == plan.chunks.size())
+            take_results(shared_, true);
+            if (!shared_.control_fault().empty() || ended(plan).size() == plan.chunks.size())
                 return counts;
             if (interruption.is_wanted()) call_off(job);
             if (Clock::now() - asked >= ask_every) {
-                const std::optional<slurm::TaskCounts> answer = slurm::task_counts(job.number());
+                const std::optional<slurm::TaskCounts> answer =
+                    slurm::task_counts(job.number(), name_);
                 asked = Clock::now();
                 if (answer) {
                     counts = *answer;
@@ -219,14 +208,13 @@ private:
     void look_once_more(const slurm::Plan& plan)
     {
         const Clock::time_point start = Clock::now();
-        while (Clock::now() - start < last_look &&
-               shared_.ended(round_).size() < plan.chunks.size()) {
-            take_results();
+        while (Clock::now() - start < last_look && ended(plan).size() < plan.chunks.size()) {
+            take_results(shared_, true);
             std::this_thread::sleep_for(look_every);
         }
     }
 
-    [[noreturn]] void call_off(const RunningJob& job) const
+    [[noreturn]] void call_off(const slurm::RunningJob& job) const
     {
         const std::string text =
             fmt::format("broken off: Slurm's job {} is cancelled, and the same command goes on "
@@ -236,9 +224,9 @@ private:
         throw InputError(text);
     }
 
-    [[noreturn]] void leave_alone(RunningJob& job) const
+    [[noreturn]] void leave_alone(slurm::RunningJob& job) const
     {
-        job.release();
+        job.leave_alone();
         throw InputError(fmt::format("Slurm has not answered for {} minutes: its job {} may go on, "
                                      "and the same command takes what it has graded",
                                      longest_silence.count(), job.number()));
@@ -254,9 +242,9 @@ private:
     // The last line that a lost task printed; if several printed something, that of the first task.
     std::string first_reason(const slurm::Plan& plan) const
     {
-        const std::set<std::size_t> ended = shared_.ended(round_);
+        const std::set<std::size_t> well = ended(plan);
         for (std::size_t task = 0; task < plan.chunks.size(); ++task) {
-            if (ended.count(task)) continue;
+            if (well.count(task)) continue;
             const std::string words = shared_.last_words(round_, task);
             if (!words.empty()) return ", the first of them: " + words;
         }
@@ -278,9 +266,12 @@ private:
     const OnGraded& on_graded_;
     const OnWait& on_wait_;
     std::vector<std::size_t> missing_; // indices of the submissions without a result
+    std::string run_;
     slurm::SharedFolder shared_;
-    WorkFolders folders_; // removes the working folders of all tasks, even of lost ones
-    std::string name_;
+    // The working folders of all tasks, even of lost ones. They exist as soon as no task of an
+    // earlier run works in them.
+    std::optional<WorkFolders> folders_;
+    std::string name_; // what Slurm calls the jobs
     unsigned round_ = 0;
 };
 

@@ -22,9 +22,11 @@ struct SlurmOptions {
 /// result at the end of a job go into a new job, at most twice. If the controls of the third job
 /// are lost, a last job grades these alone.
 ///
+/// A job of a run that was broken off is ended first, and its results are taken.
+///
 /// @throws InputError if Slurm takes no job or does not answer, if the nodes do not see the folder,
-///     or if somebody has canceled the job. SIGINT and SIGTERM cancel the job, and then end this
-///     process.
+///     if somebody has canceled the job, or if the job of a run that was broken off does not end.
+///     SIGINT and SIGTERM cancel the job, wait for its end, and then end this process.
 class SlurmEngine : public Engine {
 public:
     /// @throws InputError if Slurm is not installed

@@ -45,7 +45,7 @@ std::string run_slurm_task(const slurm::Plan& plan, std::size_t task, ClassWork 
     if (task >= plan.chunks.size())
         throw InputError(
             fmt::format("expected a task below {}, found {}", plan.chunks.size(), task));
-    const slurm::SharedFolder shared(plan.out);
+    const slurm::SharedFolder shared(plan.out, plan.run);
     work.out = plan.out;
     work.submissions = plan.submissions;
     work.fingerprints = plan.fingerprints;
