@@ -49,7 +49,8 @@ ClassWork prepared_class_work(const Selection& selection, std::uint32_t seed,
     work.run.secret = secret_in(secret_file);
     if (places().has_reference()) work.reference = prepared_implementation("reference");
     prepare_submissions();
-    work.fingerprint = fingerprint_of(work.selection, work.run);
+    work.parts = shared_parts(work.selection, work.run);
+    work.fingerprint = fingerprint_of(work.parts);
     fmt::print(stderr, "walls around the submissions: {}\n", description(usual_tier()));
     if (has_too_weak_walls())
         fmt::print(stderr, "no walls are possible here: hidden tests are left out; with "

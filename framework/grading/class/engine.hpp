@@ -4,6 +4,7 @@
 // local_engine.hpp.
 #pragma once
 
+#include "grading/class/fingerprint.hpp"
 #include "grading/class/graded_submission.hpp"
 #include "grading/intake/found_submissions.hpp"
 #include "grading/run_tests.hpp"
@@ -26,7 +27,8 @@ struct ClassWork {
     /// The reference, which must get every point; empty if the tree has no reference.
     std::optional<Implementation> reference;
     std::vector<Submission> submissions;
-    std::uint64_t fingerprint = 0;         // the result of fingerprint_of(selection, run)
+    SharedParts parts;                     // shared_parts(selection, run), as the run began
+    std::uint64_t fingerprint = 0;         // fingerprint_of(parts)
     std::vector<std::string> fingerprints; // the fingerprint of each submission's result
     std::filesystem::path out;             // the results' folder
 };
@@ -47,6 +49,8 @@ public:
     /// are submissions whose points are known. If a fault of the framework prevents the grading of
     /// a submission, the files about it report the fault. An exception of `on_graded` ends the run.
     /// @return what is wrong with a control; empty if nothing is
+    /// @throws InputError if `work.parts` have changed: no result is passed on that was made under
+    ///     other conditions
     virtual std::string grade(const ClassWork& work, const std::vector<std::size_t>& numbers,
                               const OnGraded& on_graded, const OnWait& on_wait) = 0;
 };

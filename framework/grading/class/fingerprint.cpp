@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grading/class/fingerprint.hpp"
 
+#include "errors/input_error.hpp"
 #include "grading/build/submission_files.hpp"
 #include "grading/intake/folder.hpp"
 #include "grading/intake/intake.hpp"
@@ -90,22 +91,49 @@ std::uint64_t hash_of_tools(const Toolchain& tools, std::uint64_t hash)
     return hash_of_file(no_file_queries(), hash);
 }
 
-std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run)
+SharedParts shared_parts(const Selection& selection, const GradingRun& run)
 {
-    std::uint64_t hash = hash_of(selection.assignment.name);
+    static const Toolchain tools = student_toolchain();
+    std::uint64_t assignment = hash_of(selection.assignment.name);
     for (const std::string& tag : selection.tags)
-        hash = hash_of(tag + ";", hash);
-    hash = hash_of(fmt::format("seed {} walls {}", run.seed, description(usual_tier())), hash);
-    hash = hash_of_tools(student_toolchain(), hash);
-    if (!run.secret.empty()) hash = hash_of(hmac_sha256(run.secret, "fingerprint"), hash);
-    hash = hash_of_file("/proc/self/exe", hash);
-    hash = hash_of_file(run.test_program, hash);
-    hash = run.oracle ? hash_of_file(*run.oracle, hash) : hash_of("no oracle", hash);
-    hash = hash_of_file(places().build / "framework/students_worker.o", hash);
-    hash = hash_of_file(places().program("confine"), hash);
-    hash = hash_of_sources(places().source / "framework/formulas", hash);
-    hash = hash_of_sources(places().source / "student", hash);
-    return hash_of_folder(places().assignments(), is_of_a_scene, hash);
+        assignment = hash_of(tag + ";", assignment);
+    const std::uint64_t start = hash_of("");
+    return {
+        {"the assignment", assignment},
+        {"the seed", hash_of(fmt::format("{}", run.seed))},
+        {"the secret", hash_of(run.secret.empty() ? "" : hmac_sha256(run.secret, "fingerprint"))},
+        {"the walls", hash_of(description(usual_tier()))},
+        {"the compiler", hash_of_tools(tools, start)},
+        {"the command", hash_of_file("/proc/self/exe", start)},
+        {"the tests", hash_of_file(run.test_program, start)},
+        {"the reference", run.oracle ? hash_of_file(*run.oracle, start) : start},
+        {"the engine", hash_of_file(places().build / "framework/students_worker.o", start)},
+        {"the sandbox", hash_of_file(places().program("confine"), start)},
+        {"framework/formulas/", hash_of_sources(places().source / "framework/formulas", start)},
+        {"student/", hash_of_sources(places().source / "student", start)},
+        {"assignments/", hash_of_folder(places().assignments(), is_of_a_scene, start)}};
+}
+
+std::uint64_t fingerprint_of(const SharedParts& parts)
+{
+    std::uint64_t hash = hash_of("");
+    for (const auto& [name, hash_of_part] : parts)
+        hash = hash_of(fmt::format("{} {:x};", name, hash_of_part), hash);
+    return hash;
+}
+
+void require_unchanged(const SharedParts& before, const Selection& selection, const GradingRun& run)
+{
+    std::string changed;
+    for (const auto& [name, hash] : shared_parts(selection, run))
+        if (const auto part = before.find(name); part == before.end() || part->second != hash)
+            changed += (changed.empty() ? "" : ", ") + name;
+    if (changed.empty()) return;
+    throw InputError(
+        fmt::format("expected nothing to change while a class is graded, found changes "
+                    "in {}: start again, and the class is graded as it is now; what "
+                    "is graded already counts only if you undo them",
+                    changed));
 }
 
 bool is_of_the_same_tests(const std::string& fingerprint, std::uint64_t all_but_the_submission)

@@ -10,15 +10,28 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace rigor {
 
-/// A hash of what a result depends on besides the submission: the assignment, this program, the
-/// tests, the reference and what else is linked into a worker, the files of student/, which stand
-/// in for missing files of submissions, the scenes, the seed, the secret, the compiler and the
-/// sandbox.
-std::uint64_t fingerprint_of(const Selection& selection, const GradingRun& run);
+/// What the results of all submissions depend on: a hash of each part, by what the part is called
+/// in a message.
+using SharedParts = std::map<std::string, std::uint64_t>;
+
+/// The assignment, this program, the tests, the reference and what else is linked into a worker,
+/// the files of student/, which stand in for missing files of submissions, the scenes, the seed,
+/// the secret, the compiler and the sandbox. The compiler's command is that with which this process
+/// began.
+SharedParts shared_parts(const Selection& selection, const GradingRun& run);
+
+/// A hash of what a result depends on besides the submission.
+std::uint64_t fingerprint_of(const SharedParts& parts);
+
+/// @param before  what `shared_parts` returned before
+/// @throws InputError that names the parts that have changed since then, if there are any
+void require_unchanged(const SharedParts& before, const Selection& selection,
+                       const GradingRun& run);
 
 /// The part of it for a folder with headers and sources, continued from `hash`: the names and
 /// contents of all files that a topic's file may include.

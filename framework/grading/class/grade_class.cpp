@@ -42,12 +42,9 @@ public:
         ClassOutcome outcome;
         outcome.graded = to_do_.size();
         if (!to_do_.empty() || folder_.has_unconfirmed()) {
-            folder_.begin_unconfirmed(expected_fingerprints());
-            outcome.control_fault = engine_.grade(
-                work_, to_do_, [&](std::size_t i, const ResultFiles& files) { take(i, files); },
-                [&](const std::string& doing, const std::string& detail) {
-                    progress(done_, to_do_.size(), doing, detail);
-                });
+            outcome.control_fault = grade(to_do_);
+            if (outcome.control_fault.empty() && !changed_.empty())
+                outcome.control_fault = grade_changed();
             if (!outcome.control_fault.empty()) {
                 folder_.drop_unconfirmed();
                 return outcome;
@@ -104,15 +101,44 @@ private:
             folder_.path().string(), names.size(), in_quotes(names[0])));
     }
 
-    std::map<std::string, std::string> expected_fingerprints() const
+    // @return what is wrong with a control; empty if nothing is
+    std::string grade(const std::vector<std::size_t>& numbers)
     {
-        std::map<std::string, std::string> result;
-        for (const std::size_t i : to_do_)
-            result[name(i)] = work_.fingerprints[i];
-        return result;
+        std::map<std::string, std::string> expected;
+        for (const std::size_t i : numbers)
+            expected[name(i)] = work_.fingerprints[i];
+        folder_.begin_unconfirmed(expected);
+        return engine_.grade(
+            work_, numbers, [&](std::size_t i, const ResultFiles& files) { take(i, files); },
+            [&](const std::string& doing, const std::string& detail) {
+                progress(done_, to_do_.size(), doing, detail);
+            });
     }
 
+    // Grades once more, as they are now, the submissions that changed before they were graded or
+    // meanwhile. One that changes again is reported as a fault.
+    std::string grade_changed()
+    {
+        is_second_time_ = true;
+        for (const std::size_t i : changed_)
+            work_.fingerprints[i] = fingerprint_of(work_.submissions[i], work_.fingerprint);
+        return grade(changed_);
+    }
+
+    // Takes a result if the submission still is what its fingerprint says.
     void take(std::size_t i, const ResultFiles& files)
+    {
+        const Submission& submission = work_.submissions[i];
+        if (fingerprint_of(submission, work_.fingerprint) == work_.fingerprints[i])
+            keep(i, files);
+        else if (!is_second_time_)
+            changed_.push_back(i);
+        else
+            keep(i, faulty_submission(work_.selection, submission, work_.run,
+                                      "the submission changed while it was graded (tried twice)"));
+    }
+
+    void keep(std::size_t i, const ResultFiles& files)
     {
         write(i, files);
         rows_[i] = read_row(files.at("result.json"));
@@ -154,7 +180,8 @@ private:
     OldResults old_;
     // The old results of the submissions that are graded again, and all results after this run.
     std::vector<std::optional<Row>> before_, rows_;
-    std::vector<std::size_t> to_do_;
+    std::vector<std::size_t> to_do_, changed_;
+    bool is_second_time_ = false; // whether the changed submissions are graded now
     std::size_t done_ = 0;
 };
 

@@ -46,9 +46,12 @@ enum class OldResults { stay, are_replaced };
 ///
 /// The submissions are graded in a random order, drawn from the run's seed, so that a slow hour of
 /// the machine does not always affect the same students.
+///
+/// A submission that changes between the begin of the run and the end of its grading is graded once
+/// more, as it is then.
 /// @param work  the class, whose `fingerprints` and `out` are not set yet
-/// @throws InputError if a result cannot be written, or if `old` is `stay` and an old result would
-///     have to be replaced
+/// @throws InputError if a result cannot be written, if `old` is `stay` and an old result would
+///     have to be replaced, or if the tests or something else that all results depend on changes
 ClassOutcome grade_class(ClassWork work, const ClassFolder& folder, Engine& engine,
                          const ClassListener& listener, OldResults old);
 

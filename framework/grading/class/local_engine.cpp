@@ -2,6 +2,7 @@
 #include "grading/class/local_engine.hpp"
 
 #include "grading/class/control.hpp"
+#include "grading/class/fingerprint.hpp"
 #include "grading/class/isolated.hpp"
 #include "grading/class/work_folders.hpp"
 
@@ -53,12 +54,15 @@ std::string LocalEngine::grade(const ClassWork& work, const std::vector<std::siz
     const auto on_done = [&](const WorkDone& ended) {
         const std::size_t i = numbers[ended.index];
         folders.remove(std::to_string(i));
+        require_unchanged(work.parts, work.selection, work.run);
         on_graded(i, files_of(work, work.submissions[i], ended));
     };
     Isolation how = isolation_;
     how.longest = longest;
     run_isolated(numbers.size(), how, text_about, on_done, [&] { on_wait("grading", ""); });
-    return controls("after the last submission");
+    std::string fault = controls("after the last submission");
+    require_unchanged(work.parts, work.selection, work.run);
+    return fault;
 }
 
 } // namespace rigor

@@ -31,7 +31,7 @@ struct Plan {
     std::string assignment, out;
     std::uint32_t seed = 0;
     std::string secret_file;                      // absolute path; empty if there is no secret
-    std::uint64_t fingerprint = 0;                // fingerprint_of(selection, run)
+    std::uint64_t fingerprint = 0;                // ClassWork::fingerprint
     std::vector<Submission> submissions;          // the submissions that this job grades
     std::vector<std::string> fingerprints;        // one for each submission
     std::vector<std::vector<std::size_t>> chunks; // for each task, indices in `submissions`

@@ -9,6 +9,7 @@
 
 #include "errors/input_error.hpp"
 #include "grading/build/submission_files.hpp"
+#include "grading/class/fingerprint.hpp"
 #include "grading/class/slurm/commands.hpp"
 #include "grading/class/slurm/interruption.hpp"
 #include "grading/class/slurm/running_job.hpp"
@@ -55,6 +56,7 @@ public:
         shared_.make();
         folders_.emplace(work_.out);
         for (round_ = 1;; ++round_) {
+            require_unchanged(work_.parts, work_.selection, work_.run);
             const slurm::Plan plan = next_plan();
             run_round(plan);
             std::string fault = shared_.control_fault();

@@ -65,4 +65,39 @@ TEST_CASE("fingerprint: it changes with each option of the compiler and the link
     CHECK(hash_of_tools(other, 1) != before);
 }
 
+TEST_CASE("fingerprint: what has changed during a run is named", "[class]")
+{
+    const TemporaryFolder folder;
+    const Selection selection;
+    GradingRun run;
+    run.test_program = folder.write("tests", "1");
+    run.oracle = folder.write("oracle", "1");
+    const SharedParts before = shared_parts(selection, run);
+    REQUIRE_NOTHROW(require_unchanged(before, selection, run));
+    folder.write("tests", "2");
+    CHECK_THROWS_WITH(require_unchanged(before, selection, run),
+                      Catch::Contains("found changes in the tests: start again"));
+    CHECK(fingerprint_of(shared_parts(selection, run)) != fingerprint_of(before));
+    run.seed = 1;
+    std::filesystem::remove(*run.oracle);
+    CHECK_THROWS_WITH(require_unchanged(before, selection, run),
+                      Catch::Contains("in the reference, the seed, the tests: "));
+    folder.write("tests", "1");
+    folder.write("oracle", "1");
+    run.seed = 0;
+    CHECK_NOTHROW(require_unchanged(before, selection, run));
+}
+
+TEST_CASE("fingerprint: it changes with each part that all results depend on", "[class]")
+{
+    const SharedParts parts = shared_parts(Selection(), GradingRun());
+    CHECK(parts.size() == 13);
+    for (const auto& [name, hash] : parts) {
+        CAPTURE(name);
+        SharedParts other = parts;
+        ++other[name];
+        CHECK(fingerprint_of(other) != fingerprint_of(parts));
+    }
+}
+
 } // namespace rigor::testing::fingerprint_test

@@ -45,6 +45,8 @@ public:
             work.submissions.push_back({name, "", "refused"});
             work.fingerprints.push_back(fmt::format("of_{}", name));
         }
+        work.run.test_program = folder_.write("tests", "1");
+        work.parts = shared_parts(work.selection, work.run);
     }
     ~FakeSlurm() { setenv("PATH", path_.c_str(), 1); }
     FakeSlurm(const FakeSlurm&) = delete;
@@ -198,6 +200,20 @@ TEST_CASE("slurm: of a broken run only right results count", "[class][slurm]")
     REQUIRE(slurm.rows.size() == 3);
     for (const auto& [i, row] : slurm.rows)
         CHECK(row.fingerprint == slurm.work.fingerprints[i]);
+}
+
+TEST_CASE("slurm: after a change of the tests no further job is submitted", "[class][slurm]")
+{
+    FakeSlurm slurm("cd $(dirname $notes)/out/.rigor/slurm\n"
+                    "ls */log/1_0.txt && echo 'NODE_FAIL|None' || echo 'RUNNING|None'");
+    const auto task = [&](const slurm::SharedFolder& shared) {
+        shared.write_graded("of_alice", slurm.result_of(0));
+        std::ofstream(shared.log_pattern(1).parent_path() / "1_0.txt") << "begun\n";
+        std::ofstream(slurm.work.run.test_program) << "2";
+    };
+    CHECK_THROWS_WITH(slurm.grade({0, 1}, task), Catch::Contains("found changes in the tests"));
+    CHECK(slurm.notes() == "sbatch; ");
+    CHECK(slurm.rows.size() == 1);
 }
 
 } // namespace rigor::testing::slurm_engine_test
