@@ -255,8 +255,8 @@ template <class Arguments> void align_with_axis(Arguments& arguments, Random& ra
 }
 
 /// If the first two arguments are a list and a point, may place the elements of the list in pairs
-/// on both sides of the point. Then the point is their mean. It is their center of mass too if both
-/// of each pair have the same mass. All coordinates are whole numbers, so that sums are exact.
+/// on both sides of the point. Then the point is their mean. It is their center of mass too if the
+/// masses of each pair are equal. All coordinates are whole numbers, so that sums are exact.
 template <class Arguments> void balance_around_point(Arguments& arguments, Random& random)
 {
     if constexpr (std::tuple_size_v<Arguments> >= 2) {
