@@ -23,7 +23,6 @@
 #include <fstream>
 #include <future>
 #include <mutex>
-#include <stdexcept>
 
 namespace rigor {
 
