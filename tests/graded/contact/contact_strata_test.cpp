@@ -4,6 +4,7 @@
 #include "contact_cases.hpp"
 #include "formulas/contact.hpp"
 #include "support/close.hpp"
+#include "support/random.hpp"
 
 namespace contact_strata_test {
 
@@ -171,6 +172,29 @@ TEST_CASE("contact: levels may be far apart", "[A5.4][contact]")
         for (int i = 1; i <= 2; ++i)
             REQUIRE_THAT(result.bodies[i].velocity, IsClose(Vector3d(0, 0, 0), Rounding(64, 1)));
         REQUIRE_THAT(result.impulses[1], IsClose(up, Rounding(64)));
+    }
+}
+
+TEST_CASE("contact: any levels in a long list of contacts", "[A5.4][contact]")
+{
+    // A stack of two blocks beside thousands of contacts between grounds. A number that is made of
+    // a level and an index needs more than 32 bits here.
+    ContactCase problem = stack({1, 1});
+    problem.bodies.emplace_back(); // another ground
+    const int ground = static_cast<int>(problem.bodies.size()) - 1;
+    const BodyContact between = touch(0, ground, 0.02);
+    problem.contacts.insert(problem.contacts.begin(), 30'000, between);
+    problem.contacts.insert(problem.contacts.end(), 40'000, between);
+    Random random(4);
+    for (int i = 0; i < 8; ++i) {
+        const int low = 1 + random_index(random, 900'000),
+                  high = low + 1 + random_index(random, 1'000'000 - static_cast<std::size_t>(low));
+        CAPTURE(low, high);
+        const ContactResult result =
+            shock_propagation(problem.bodies, problem.contacts, {0, low, high, 0}, 1);
+        for (int body = 1; body <= 2; ++body)
+            REQUIRE_THAT(result.bodies[body].velocity, IsClose(Vector3d(0, 0, 0), Rounding(64, 1)));
+        REQUIRE_THAT(result.impulses[30'001], IsClose(up, Rounding(64)));
     }
 }
 
