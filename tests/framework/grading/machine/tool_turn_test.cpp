@@ -28,9 +28,9 @@ std::string now()
 long most_at_once(const std::vector<std::pair<long, long>>& intervals)
 {
     long most = 0;
-    for (const auto& [start, end] : intervals)
+    for (const auto& one : intervals)
         most = std::max(most, std::count_if(intervals.begin(), intervals.end(), [&](auto& other) {
-                            return other.first <= start && start < other.second;
+                            return other.first <= one.first && one.first < other.second;
                         }));
     return most;
 }
