@@ -7,7 +7,7 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <sys/types.h>
+#include <sys/stat.h>
 #include <vector>
 
 namespace rigor {
