@@ -3,6 +3,7 @@
 // it changes submissions, and passes on a result.
 #include "grading/class/grade_class.hpp"
 
+#include "framework/grading/class/one_task.hpp"
 #include "grading/class/fingerprint.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
@@ -44,12 +45,7 @@ private:
 struct SmallClass {
     SmallClass()
     {
-        Task task;
-        task.tag = "A2.1";
-        task.points = 2;
-        work.selection.assignment.name = "a2-inertia";
-        work.selection.assignment.tasks = {task};
-        work.selection.tags = {task.tag};
+        work.selection = one_task();
         work.fingerprint = 1;
         for (const char* name : {"alice", "bob", "carol"})
             work.submissions.push_back({name, folder.write(std::string(name) + ".cpp", "1\n"), ""});

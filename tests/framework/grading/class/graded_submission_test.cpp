@@ -2,6 +2,7 @@
 // A shell script takes the place of the test program.
 #include "grading/class/graded_submission.hpp"
 
+#include "framework/grading/class/one_task.hpp"
 #include "grading/build/submission_build.hpp"
 #include "report/exports/row.hpp"
 #include "support/catch.hpp"
@@ -29,20 +30,6 @@ end
     GradingRun run;
     run.test_program = script;
     return run;
-}
-
-Selection one_task()
-{
-    Selection selection;
-    selection.assignment.name = "a2-inertia";
-    selection.assignment.topic = "inertia";
-    Task task;
-    task.tag = "A2.1";
-    task.formula = "f";
-    task.points = 2;
-    selection.assignment.tasks = {task};
-    selection.tags = {task.tag};
-    return selection;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 // but the control is built.
 #include "grading/class/local_engine.hpp"
 
+#include "framework/grading/class/one_task.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -28,13 +29,7 @@ TEST_CASE("local engine: a change of the tests ends the run with its name", "[cl
 {
     const TemporaryFolder folder;
     ClassWork work;
-    Task task;
-    task.tag = "A2.1";
-    task.points = 2;
-    work.selection.assignment.name = "a2-inertia";
-    work.selection.assignment.topic = "inertia";
-    work.selection.assignment.tasks = {task};
-    work.selection.tags = {task.tag};
+    work.selection = one_task();
     work.run.test_program = folder.write("tests", tests);
     fs::permissions(work.run.test_program, fs::perms::owner_all);
     work.parts = shared_parts(work.selection, work.run);

@@ -4,6 +4,7 @@
 #include "grading/class/slurm/slurm_engine.hpp"
 
 #include "errors/input_error.hpp"
+#include "framework/grading/class/one_task.hpp"
 #include "grading/build/submission_files.hpp"
 #include "grading/class/slurm/shared_folder.hpp"
 #include "grading/places.hpp"
@@ -35,12 +36,7 @@ public:
         setenv("PATH", (folder_.path().string() + ":" + path_).c_str(), 1);
         work.out = folder_.path() / "out";
         fs::create_directories(work.out);
-        Task task;
-        task.tag = "A2.1";
-        task.points = 2;
-        work.selection.assignment.name = "a2-inertia";
-        work.selection.assignment.tasks = {task};
-        work.selection.tags = {task.tag};
+        work.selection = one_task();
         for (const char* name : {"alice", "bob", "carol"}) {
             work.submissions.push_back({name, "", "refused"});
             work.fingerprints.push_back(fmt::format("of_{}", name));
