@@ -51,20 +51,24 @@ std::string run_slurm_task(const slurm::Plan& plan, std::size_t task, ClassWork 
     work.fingerprints = plan.fingerprints;
     require_same_framework(plan, work);
     // A submission that has changed, before or while it was graded, is reported as a fault.
+    const auto report = [&](std::size_t i, const std::string& fault) {
+        shared.write_graded(
+            plan.fingerprints[i],
+            faulty_submission(work.selection, plan.submissions[i], work.run, fault));
+    };
     const auto write = [&](std::size_t i, const ResultFiles& files) {
-        const std::string other = difference(plan, i, work);
-        shared.write_graded(plan.fingerprints[i],
-                            other.empty() ? files
-                                          : faulty_submission(work.selection, plan.submissions[i],
-                                                              work.run, other));
+        if (const std::string fault = difference(plan, i, work); !fault.empty())
+            report(i, fault);
+        else
+            shared.write_graded(plan.fingerprints[i], files);
     };
     std::vector<std::size_t> numbers; // indices of the chunk's submissions without a result yet
     for (const std::size_t i : plan.chunks[task]) {
         if (shared.graded(plan.fingerprints[i])) continue;
-        if (difference(plan, i, work).empty())
-            numbers.push_back(i);
+        if (const std::string fault = difference(plan, i, work); !fault.empty())
+            report(i, fault);
         else
-            write(i, {});
+            numbers.push_back(i);
     }
     LocalEngine engine(1, fmt::format("{}_{}", environment_variable("SLURM_JOB_ID"),
                                       environment_variable("SLURM_RESTART_COUNT")));
