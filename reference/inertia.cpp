@@ -6,6 +6,7 @@
 #include "formulas/inertia.hpp"
 
 #include <numbers>
+#include <ranges>
 
 namespace rigor {
 
@@ -17,14 +18,13 @@ constexpr double pi = std::numbers::pi;
 // The fraction is a few thousand times the machine epsilon.
 constexpr double zero_moment = 1e-12;
 
-// One point mass at each sample: the density there times the given volume.
-std::vector<Particle> lumped(const std::vector<DensitySample>& samples, double volume)
+// One point mass at each sample: the density there times the given volume. Each one is computed
+// when a loop comes to it, so that a million samples need no second list.
+auto lumped(const std::vector<DensitySample>& samples, double volume)
 {
-    std::vector<Particle> particles;
-    particles.reserve(samples.size());
-    for (const DensitySample& sample : samples)
-        particles.push_back({sample.density * volume, sample.position});
-    return particles;
+    return samples | std::views::transform([volume](const DensitySample& sample) {
+               return Particle{sample.density * volume, sample.position};
+           });
 }
 
 // Inertia about X of a point mass M at x: M (x - X)*ᵀ (x - X)* = M (dᵀd δ - d dᵀ), d = x - X.
@@ -33,9 +33,7 @@ Matrix3d point_inertia(double M, const Vector3d& d)
     return M * (d.dot(d) * Matrix3d::Identity() - d * d.transpose());
 }
 
-} // namespace
-
-MassProperties particle_mass_properties(const std::vector<Particle>& particles)
+template <class Particles> MassProperties mass_properties_of(const Particles& particles)
 {
     // M = Σ mᵢ    X = Σ mᵢ pᵢ / M
     double M = 0;
@@ -52,6 +50,13 @@ MassProperties particle_mass_properties(const std::vector<Particle>& particles)
     for (const Particle& particle : particles)
         I += point_inertia(particle.mass, particle.position - X);
     return {M, X, I};
+}
+
+} // namespace
+
+MassProperties particle_mass_properties(const std::vector<Particle>& particles)
+{
+    return mass_properties_of(particles);
 }
 
 Matrix3d world_inertia(const Matrix3d& R, const Matrix3d& I_body)
@@ -139,7 +144,7 @@ MassProperties grid_mass_properties(const std::vector<DensitySample>& samples, d
 {
     // mᵢ = ρᵢ h³
     const double h = cell_size;
-    return particle_mass_properties(lumped(samples, h * h * h));
+    return mass_properties_of(lumped(samples, h * h * h));
 }
 
 MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples, double volume)
@@ -148,7 +153,7 @@ MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples
 
     // mᵢ = ρᵢ V/N
     const double V = volume, N = static_cast<double>(samples.size());
-    return particle_mass_properties(lumped(samples, V / N));
+    return mass_properties_of(lumped(samples, V / N));
 }
 
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)

@@ -45,6 +45,7 @@ std::string Allowance::verdict() const
 Session::Session(const std::filesystem::path& executable, const Limits& limits)
     : limits_(limits), process_(executable, limits)
 {
+    allow_moves();
 }
 
 void Session::await_greeting(Allowance& allowance)

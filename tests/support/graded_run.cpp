@@ -173,7 +173,7 @@ constexpr Decode decoders[] = {RIGOR_FORMULAS(RIGOR_ROW)};
 std::string last_call_text()
 {
     constexpr std::size_t longest = 2000; // [bytes]; a longer call would fill the report
-    const auto& call = last_call();
+    const FormulaCall* call = last_call();
     if (!is_about_formula || !call || call->arguments.size() > longest) return "";
     return decoders[static_cast<unsigned>(call->formula)](call->arguments);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Waiting on a word of shared memory. A process that waits first spins for some microseconds, in
 // which it also yields its processor to other processes, and then sleeps in a futex until the other
-// process wakes it. The time to spin adapts to whether spinning has helped.
+// process wakes it. The time to spin adapts to whether spinning has helped. If a client finds out
+// that it shares its processor with the worker, it moves to another one.
 #include "worker/protocol/channel.hpp"
 
 #include "formulas/table.hpp"
+#include "worker/protocol/processor.hpp"
 
 #include <climits>
 #include <ctime>
@@ -32,20 +34,34 @@ using Microseconds = std::chrono::duration<double, std::micro>;
 constexpr Microseconds longest_spin(100), spin_of_a_try(20);
 constexpr int waits_between_tries = 32;
 
-// Whether this process may use one processor only. The other process then has the same one, and
-// cannot answer as long as this one spins.
-bool has_one_processor()
-{
-    cpu_set_t allowed;
-    return sched_getaffinity(0, sizeof allowed, &allowed) == 0 && CPU_COUNT(&allowed) == 1;
-}
+// The scheduler often puts both processes on one processor, and leaves them there for milliseconds
+// although another one is idle. Then each answer comes in a `sched_yield`, and takes several times
+// as long. So after this many such answers in a row, the client moves if a processor is idle, which
+// it does not ask too often.
+constexpr int yields_before_move = 8;
+constexpr std::chrono::milliseconds between_moves(3);
+std::atomic<bool> may_move = false;
 
 struct Spinning {
+    // With one processor, the other process cannot answer as long as this one spins.
     bool is_useless = has_one_processor();
     Microseconds time = spin_of_a_try;
     int waits_without = 0;
+    int answers_after_yield = 0;
+    Clock::time_point last_move;
 
-    void succeeded() { time = longest_spin; }
+    // @param after_yield  whether the answer was there as soon as `sched_yield` returned
+    void succeeded(bool after_yield)
+    {
+        time = longest_spin;
+        answers_after_yield = after_yield ? answers_after_yield + 1 : 0;
+        if (answers_after_yield < yields_before_move || !may_move) return;
+        answers_after_yield = 0;
+        const Clock::time_point now = Clock::now();
+        if (now - last_move < between_moves) return;
+        last_move = now;
+        if (has_idle_processor()) leave_processor();
+    }
     void failed() { time = time > Microseconds(4) ? time / 2 : Microseconds(0); }
     Microseconds next()
     {
@@ -85,6 +101,11 @@ std::uint64_t contract_fingerprint()
     return hash;
 }
 
+void allow_moves()
+{
+    may_move = true;
+}
+
 void wake(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& awaited)
 {
     if (awaited.load() != 0) syscall(SYS_futex, &word, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
@@ -110,11 +131,11 @@ std::uint32_t await_change(std::atomic<std::uint32_t>& word, std::atomic<std::ui
         for (std::optional<Clock::time_point> start;;) {
             for (int i = 0; i < 32; ++i) {
                 if (const std::uint32_t now = word.load(std::memory_order_acquire); now != old) {
-                    spinning.succeeded();
+                    spinning.succeeded(start && i == 0);
                     return now;
                 }
                 if (other_has_changed()) {
-                    spinning.succeeded();
+                    spinning.succeeded(start && i == 0);
                     return old;
                 }
                 pause_processor();

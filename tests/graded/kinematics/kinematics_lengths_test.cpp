@@ -12,31 +12,17 @@ using namespace rigor::testing;
 
 namespace {
 
-// The beads of lengths.hpp and their sums.
-struct Beads {
-    std::vector<Particle> particles;
-    double mass = 0, first = 0, second = 0; // Σ m, Σ m x, Σ m x²
-
-    explicit Beads(int n) : particles(beads(n))
-    {
-        for (const auto& [m, x] : particles) {
-            mass += m;
-            first += m * x.x();
-            second += m * x.squaredNorm();
-        }
-    }
-};
-
 const Particle weightless = {0, {2, -1, 4}};
 
 } // namespace
 
 TEST_CASE("kinematics: many particles have one generalized mass", "[A1.7][kinematics]")
 {
+    Beads<Particle> beads;
     for (const int n : lengths(0, long_list)) {
         CAPTURE(n);
-        const Beads beads(n);
-        const Matrix6d found = generalized_mass(beads.particles, {0, 0, 0});
+        beads.grow(n);
+        const Matrix6d found = generalized_mass(beads.list, {0, 0, 0});
         REQUIRE_THAT(found(0, 0), IsClose(beads.mass, Rounding(64)));
         REQUIRE_THAT(std::abs(found(1, 5)), IsClose(beads.first, Rounding(64)));
         REQUIRE_THAT(found(4, 4), IsClose(beads.second, Rounding(64)));
@@ -45,13 +31,13 @@ TEST_CASE("kinematics: many particles have one generalized mass", "[A1.7][kinema
 
 TEST_CASE("kinematics: many forces add up", "[A1.8][kinematics]")
 {
+    std::vector<PointForce> forces;
+    Wrench expected;
     for (const int n : lengths(0, long_list)) {
         CAPTURE(n);
-        std::vector<PointForce> forces(n);
-        Wrench expected;
-        for (int i = 0; i < n; ++i) {
+        for (int i = static_cast<int>(forces.size()); i < n; ++i) {
             const double F = dyadic(i), x = i % 11;
-            forces[i] = {{0, F, 0}, {x, 0, 0}}; // a push along y with the lever x - 2
+            forces.push_back({{0, F, 0}, {x, 0, 0}}); // a push along y with the lever x - 2
             expected.force.y() += F;
             expected.torque.z() += (x - 2) * F;
         }
@@ -61,11 +47,12 @@ TEST_CASE("kinematics: many forces add up", "[A1.8][kinematics]")
 
 TEST_CASE("kinematics: many particles that turn pull inwards", "[A1.13][kinematics]")
 {
+    Beads<Particle> beads;
     for (const int n : lengths(0, long_list)) {
         CAPTURE(n);
-        const Beads beads(n);
+        beads.grow(n);
         const Wrench found =
-            inertial_wrench(beads.particles, {0, 0, 0}, {1, 2, 3}, {0, 0, 2}); // |ω|² is 4
+            inertial_wrench(beads.list, {0, 0, 0}, {1, 2, 3}, {0, 0, 2}); // |ω|² is 4
         REQUIRE_THAT(found.force, IsClose(Vector3d(-4 * beads.first, 0, 0), Rounding(64, n)));
         REQUIRE_THAT(found.torque, IsClose(Vector3d(0, 0, 0), Rounding(64, n)));
     }
@@ -74,10 +61,10 @@ TEST_CASE("kinematics: many particles that turn pull inwards", "[A1.13][kinemati
 TEST_CASE("kinematics: particles without mass have no generalized mass", "[A1.7][kinematics]")
 {
     const Vector3d X(1, 2, 3);
-    const Matrix6d expected = generalized_mass(beads(20), X);
+    const Matrix6d expected = generalized_mass(Beads<Particle>(20).list, X);
     for (const int n : idle_elements) {
         CAPTURE(n);
-        const Matrix6d found = generalized_mass(among(n, weightless, beads(20)), X);
+        const Matrix6d found = generalized_mass(among(n, weightless, Beads<Particle>(20).list), X);
         REQUIRE_THAT(found, IsClose(expected, Rounding(64, expected.norm())));
     }
 }
@@ -85,10 +72,11 @@ TEST_CASE("kinematics: particles without mass have no generalized mass", "[A1.7]
 TEST_CASE("kinematics: particles without mass need no wrench", "[A1.13][kinematics]")
 {
     const Vector3d X(1, 2, 3), V(1, 2, 3), omega(1, -2, 0.5);
-    const Wrench expected = inertial_wrench(beads(20), X, V, omega);
+    const Wrench expected = inertial_wrench(Beads<Particle>(20).list, X, V, omega);
     for (const int n : idle_elements) {
         CAPTURE(n);
-        const Wrench found = inertial_wrench(among(n, weightless, beads(20)), X, V, omega);
+        const Wrench found =
+            inertial_wrench(among(n, weightless, Beads<Particle>(20).list), X, V, omega);
         REQUIRE_THAT(found, IsClose(expected, Rounding(64, 2e5))); // Σ m |d|² |ω|²
     }
 }

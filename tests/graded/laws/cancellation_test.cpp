@@ -35,7 +35,7 @@ constexpr double far = 0x1p-16;
 constexpr double least_slope = 0x1p-7;
 
 // How many lines of arguments are checked, and how many are tried. A line takes a hundred calls.
-constexpr int enough = 40, tries = 200;
+constexpr int enough = 30, tries = 150;
 
 /// A line of arguments through a place where a part of the result is 0.
 template <FormulaIndex f, auto& formula> class Line {

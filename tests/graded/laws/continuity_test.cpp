@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <initializer_list>
 
 namespace rigor::testing {
@@ -60,14 +61,26 @@ void check_limits(std::initializer_list<double> changes, Random& random)
     }
 }
 
+// How many numbers the arguments of a formula have.
+template <FormulaIndex f, auto& formula> int count_of_numbers()
+{
+    Random random(first_seed());
+    std::size_t count = 0;
+    std::apply([&](const auto&... one) { ((count += components(one).numbers.size()), ...); },
+               special_arguments<f, formula>(random));
+    return static_cast<int>(count);
+}
+
 template <FormulaIndex f, auto& formula> void check_continuity()
 {
     // The two smallest change only what is 0: to a number whose square is no double, and to one
     // that has few digits itself.
     for (Random random : seeds(sampled(150)))
         check_limits<f, formula>({0x1p-1060, 0x1p-530, 0x1p-32, 0x1p-22, 0x1p-14}, random);
-    // Where two or three things are special at the same time, any change shows it.
-    for (unsigned seed : seeds(sampled(2000))) {
+    // Where two or three things are special at the same time, any change shows it. The more numbers
+    // there are, the more of them may be special together.
+    const int many = std::min(2000, 150 * count_of_numbers<f, formula>());
+    for (unsigned seed : seeds(sampled(many))) {
         Random random(seed + 150);
         check_limits<f, formula>({0x1p-32}, random);
     }

@@ -5,7 +5,6 @@
 
 #include "formulas/types.hpp"
 
-#include <cmath>
 #include <vector>
 
 namespace rigor::testing {
@@ -13,22 +12,21 @@ namespace rigor::testing {
 constexpr int narrow = 0x100, wide = 0x10000; // the number of indices with 8 and 16 bits
 constexpr int long_list = 1'048'583; // beyond a million and 2^20; no multiple of 2, 3, 4, 5, 7, 8
 
-/// The lengths from `least` on, up to about `most`: all up to 1100, so that for blocks of any size
-/// up to that each number of elements beside whole blocks occurs, and beyond that the lengths
-/// behind multiples of 64 and round numbers.
+/// The lengths from `least` on, up to about `most`, in order: all up to 300, and behind them those
+/// at which a loop over blocks of a usual size may go wrong.
 inline std::vector<int> lengths(int least, int most)
 {
-    std::vector<int> result;
-    const auto add = [&](int n) {
-        if (n <= most + 1) result.push_back(n);
+    const auto may_go_wrong = [](int n) {
+        if (n <= 300) return true;
+        if (n > 1100) return n % 64 == 1 || n % 500 == 1; // one more than whole blocks
+        const bool is_beside = (n + 1) % 64 <= 2 || (n + 1) % 100 <= 2; // or they are whole
+        return is_beside || n % 8 == 1 || n % 10 == 1;
     };
-    for (int n = least; n <= 1100; ++n)
-        add(n);
-    for (int size = 18 * 64; size <= 4096; size += 64)
-        add(size + 1);
-    for (const int size : {1200, 1500, 2000, 3000, 5000, 8192, 10000, wide})
-        add(size + 1);
-    if (long_list <= most) add(long_list);
+    std::vector<int> result;
+    for (int n = least; n <= 4100; ++n)
+        if (may_go_wrong(n)) result.push_back(n);
+    result.insert(result.end(), {5001, 8193, 10001, wide + 1, long_list});
+    std::erase_if(result, [&](int n) { return n > most + 1; });
     return result;
 }
 
@@ -36,17 +34,32 @@ inline std::vector<int> lengths(int least, int most)
 /// each multiplied by an integer up to 121, add up exactly in a double.
 inline double dyadic(int i)
 {
-    return 1 + i % 7 + std::ldexp(i % 5, -16);
+    return 1 + i % 7 + 0x1p-16 * (i % 5);
 }
 
-/// Point masses on the x axis. Places are small integers, so that Σ m, Σ m x and Σ m x² are exact.
-inline std::vector<Particle> beads(int n)
-{
-    std::vector<Particle> result(n);
-    for (int i = 0; i < n; ++i)
-        result[i] = {dyadic(i), {1.0 + i % 11, 0, 0}};
-    return result;
-}
+/// Point masses on the x axis, as a list of particles or of samples whose density is the mass.
+/// Places are small integers, so that all sums are exact.
+template <class Element> struct Beads {
+    std::vector<Element> list;
+    double mass = 0, first = 0, second = 0; // Σ m [kg], Σ m x [kg m], Σ m x² [kg m²]
+
+    explicit Beads(int n = 0) { grow(n); }
+    /// Appends beads until there are n.
+    void grow(int n)
+    {
+        if (n > wide) list.reserve(static_cast<std::size_t>(n)); // as much as is needed
+        for (int i = static_cast<int>(list.size()); i < n; ++i) {
+            const double m = dyadic(i), x = 1.0 + i % 11;
+            if constexpr (std::is_same_v<Element, Particle>)
+                list.push_back({m, {x, 0, 0}});
+            else
+                list.push_back({{x, 0, 0}, m});
+            mass += m;
+            first += m * x;
+            second += m * x * x;
+        }
+    }
+};
 
 /// How many elements that count for nothing a test puts among others: a loop that gives up too
 /// early finds only these.
