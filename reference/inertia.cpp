@@ -6,7 +6,6 @@
 #include "formulas/inertia.hpp"
 
 #include <numbers>
-#include <ranges>
 
 namespace rigor {
 
@@ -18,45 +17,48 @@ constexpr double pi = std::numbers::pi;
 // The fraction is a few thousand times the machine epsilon.
 constexpr double zero_moment = 1e-12;
 
-// One point mass at each sample: the density there times the given volume. Each one is computed
-// when a loop comes to it, so that a million samples need no second list.
-auto lumped(const std::vector<DensitySample>& samples, double volume)
-{
-    return samples | std::views::transform([volume](const DensitySample& sample) {
-               return Particle{sample.density * volume, sample.position};
-           });
-}
-
 // Inertia about X of a point mass M at x: M (x - X)*ᵀ (x - X)* = M (dᵀd δ - d dᵀ), d = x - X.
 Matrix3d point_inertia(double M, const Vector3d& d)
 {
     return M * (d.dot(d) * Matrix3d::Identity() - d * d.transpose());
 }
 
-template <class Particles> MassProperties mass_properties_of(const Particles& particles)
+// The mass properties of N point masses, of which `particle(i)` is the i-th.
+template <class PointMass> MassProperties sum_of(std::size_t N, const PointMass& particle)
 {
     // M = Σ mᵢ    X = Σ mᵢ pᵢ / M
     double M = 0;
     Vector3d X = Vector3d::Zero();
-    for (const Particle& particle : particles) {
-        M += particle.mass;
-        X += particle.mass * particle.position;
+    for (std::size_t i = 0; i < N; ++i) {
+        const auto& [m, p] = particle(i);
+        M += m;
+        X += m * p;
     }
     if (M == 0) return {}; // no mass
     X /= M;
 
     // I = Σ mᵢ (dᵢᵀdᵢ δ - dᵢ dᵢᵀ),  dᵢ = pᵢ - X
     Matrix3d I = Matrix3d::Zero();
-    for (const Particle& particle : particles)
-        I += point_inertia(particle.mass, particle.position - X);
+    for (std::size_t i = 0; i < N; ++i) {
+        const auto& [m, p] = particle(i);
+        I += point_inertia(m, p - X);
+    }
     return {M, X, I};
+}
+
+// One point mass at each sample: the density there times the given volume.
+MassProperties sum_of_samples(const std::vector<DensitySample>& samples, double volume)
+{
+    return sum_of(samples.size(), [&](std::size_t i) {
+        return Particle{samples[i].density * volume, samples[i].position};
+    });
 }
 
 } // namespace
 
 MassProperties particle_mass_properties(const std::vector<Particle>& particles)
 {
-    return mass_properties_of(particles);
+    return sum_of(particles.size(), [&](std::size_t i) { return particles[i]; });
 }
 
 Matrix3d world_inertia(const Matrix3d& R, const Matrix3d& I_body)
@@ -144,7 +146,7 @@ MassProperties grid_mass_properties(const std::vector<DensitySample>& samples, d
 {
     // mᵢ = ρᵢ h³
     const double h = cell_size;
-    return mass_properties_of(lumped(samples, h * h * h));
+    return sum_of_samples(samples, h * h * h);
 }
 
 MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples, double volume)
@@ -153,7 +155,7 @@ MassProperties sampled_mass_properties(const std::vector<DensitySample>& samples
 
     // mᵢ = ρᵢ V/N
     const double V = volume, N = static_cast<double>(samples.size());
-    return mass_properties_of(lumped(samples, V / N));
+    return sum_of_samples(samples, V / N);
 }
 
 MassProperties mesh_mass_properties(const TriangleMesh& mesh, double density)
