@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "cli/command_line.hpp"
 
-#include "cli/commands.hpp"
 #include "cli/options.hpp"
+#include "cli/prepare.hpp"
 #include "errors/input_error.hpp"
 #include "errors/nearest.hpp"
 #include "errors/quotes.hpp"
+#include "grading/places.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <system_error>
+#include <unistd.h>
 
 namespace rigor {
 
@@ -22,22 +26,34 @@ int complain(const std::string& what, int status)
     return status;
 }
 
+using Commands = std::span<const CommandEntry>;
+
 // Reports that the first word of the command line is neither an option nor a command.
-int unknown_command(const std::string& word)
+int unknown_command(const std::string& word, Commands commands)
 {
     std::vector<std::string_view> names;
-    for (const CommandEntry& command : commands())
+    for (const CommandEntry& command : commands)
         names.push_back(command.name);
     return complain("unknown command " + in_quotes(word) +
                         suggestion(word, names, "`rigor --help` lists them"),
                     exit_input);
 }
 
-bool is_command(const std::string& word)
+// The command of this name; nullptr if there is none.
+const CommandEntry* find_command(const std::string& name, Commands commands)
 {
-    for (const CommandEntry& command : commands())
-        if (word == command.name) return true;
-    return false;
+    for (const CommandEntry& command : commands)
+        if (name == command.name) return &command;
+    return nullptr;
+}
+
+// Becomes the program `rigor_class`, with the same command line.
+int run_by_class_program(char** argv)
+{
+    constexpr const char* program = "rigor_class";
+    prepare_targets({program});
+    execv(places().program(program).c_str(), argv);
+    throw std::system_error(errno, std::generic_category(), places().program(program).string());
 }
 
 // CLI11's error message, joined into one line.
@@ -61,7 +77,7 @@ int run_action(const Action& action)
 
 } // namespace
 
-int run_command_line(int argc, char** argv)
+int run_command_line(int argc, char** argv, Commands commands)
 {
     CLI::App app("Rigor: rigid-body animation, assignments and their grading.", "rigor");
     app.set_version_flag("--version", RIGOR_VERSION);
@@ -72,8 +88,9 @@ int run_command_line(int argc, char** argv)
     app.get_formatter()->column_width(Options::name_width);
 
     std::vector<std::pair<CLI::App*, Action>> actions;
-    for (const CommandEntry& command : commands()) {
+    for (const CommandEntry& command : commands) {
         CLI::App* subcommand = app.add_subcommand(command.name, command.summary);
+        if (!command.declare) continue;
         Options options(*subcommand);
         actions.emplace_back(subcommand, command.declare(options));
     }
@@ -81,7 +98,10 @@ int run_command_line(int argc, char** argv)
     const bool is_option = first.starts_with('-');
     if (is_option && first != "-h" && first != "--help" && first != "--version")
         return complain("unknown option '" + first + "' before a command", exit_input);
-    if (argc > 1 && !is_option && !is_command(first)) return unknown_command(first);
+    const CommandEntry* command = find_command(first, commands);
+    if (argc > 1 && !is_option && !command) return unknown_command(first, commands);
+    if (command && !command->declare)
+        return run_action([argv] { return run_by_class_program(argv); });
     if (argc == 1) {
         std::fputs(app.help().c_str(), stderr);
         return complain("expected a command", exit_input);

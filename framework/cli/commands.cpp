@@ -12,9 +12,6 @@
 #include "cli/commands/render.hpp"
 #include "cli/commands/simulate.hpp"
 #include "cli/commands/test.hpp"
-#include "cli/instructor/grade.hpp"
-#include "cli/instructor/grade_chunk.hpp"
-#include "cli/instructor/release.hpp"
 
 namespace rigor {
 
@@ -25,9 +22,9 @@ std::span<const CommandEntry> commands()
         {"test", "Check this tree in minutes, or all that CI checks", declare_test},
         {"list", "Show assignments, tasks, points and scenes", declare_list},
         {"check", "Grade your own files: the loop to live in", declare_check},
-        {"grade", "Grade a class: folders and archives", declare_grade},
-        {"grade-chunk", "Grade a part of a class (Slurm starts this)", declare_grade_chunk},
-        {"release", "Make what students, Gradescope or GitHub get", declare_release},
+        {"grade", "Grade a class: folders and archives"},
+        {"grade-chunk", "Grade a part of a class (Slurm starts this)"},
+        {"release", "Make what students, Gradescope or GitHub get"},
         {"hint", "Give a hint for a task, and the next one each time", declare_hint},
         {"simulate", "Run a scene and store its trajectory", declare_simulate},
         {"render", "Draw a scene or a stored trajectory as frames", declare_render},

@@ -11,9 +11,10 @@ namespace rigor {
 struct CommandEntry {
     const char* name;
     const char* summary;
-    Action (*declare)(Options& options);
+    Action (*declare)(Options& options) = nullptr; // nullptr: the program `rigor_class` has it
 };
 
+/// The commands of the program `rigor`.
 std::span<const CommandEntry> commands();
 
 } // namespace rigor

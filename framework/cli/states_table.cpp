@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/states_table.hpp"
 
-#include "report/exports/csv.hpp"
+#include "report/csv.hpp"
 
 #include <vector>
 

@@ -22,6 +22,7 @@ case "$ID $VERSION_ID" in
 "debian 12" | "debian 13" | "ubuntu 24.04") ;;
 *) echo "expected an image with Ubuntu 24.04, Debian 12 or Debian 13, found $PRETTY_NAME" >&2 ;;
 esac
+"$here/rigor/rigor" grade --help >/dev/null # builds the program that grades
 "$here/rigor/rigor" check ASSIGNMENT --with reference
 )sh";
 

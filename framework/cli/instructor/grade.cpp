@@ -105,7 +105,7 @@ std::unique_ptr<Engine> engine_for(const GradeOptions& options,
 {
     if (!is_for_slurm(options)) return std::make_unique<LocalEngine>(jobs_of(options));
     SlurmOptions slurm;
-    slurm.task_command = {places().program("rigor").string(), "grade-chunk"};
+    slurm.task_command = {places().program("rigor_class").string(), "grade-chunk"};
     if (!options.secret.empty()) slurm.secret_file = fs::canonical(options.secret).string();
     if (options.chunk > 0) slurm.chunk = options.chunk;
     slurm.at_once = options.jobs;

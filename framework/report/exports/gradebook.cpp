@@ -2,7 +2,7 @@
 #include "report/exports/gradebook.hpp"
 
 #include "grading/intake/downloaded_name.hpp"
-#include "report/exports/csv.hpp"
+#include "report/csv.hpp"
 #include "report/exports/listed_name.hpp"
 
 #include <algorithm>

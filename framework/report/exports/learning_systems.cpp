@@ -2,7 +2,7 @@
 #include "report/exports/learning_systems.hpp"
 
 #include "grading/intake/downloaded_name.hpp"
-#include "report/exports/csv.hpp"
+#include "report/csv.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/exports/csv.hpp"
+#include "report/csv.hpp"
 
 #include "support/catch.hpp"
 
