@@ -87,7 +87,8 @@ public:
     void await_start();
 
     /// The process id of the monitor, the process that watches the program from outside. The
-    /// monitor ends in the same way as the program, and stops when the program stops.
+    /// monitor ends in the same way as the program (with 0 after SIGTERM, which asks it to end the
+    /// program), and is stopped by a signal when the program is.
     pid_t monitor() const { return monitor_; }
 
     /// The process id of the program; -1 before `await_start` has returned. Use it only to observe

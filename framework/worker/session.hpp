@@ -77,7 +77,8 @@ public:
     /// already.
     Bytes rest_of_stream();
 
-    /// The beginning of what was printed since the last call of this function.
+    /// What the worker printed since the last call of this function; of a long text only the first
+    /// `Limits::output_kept` bytes.
     std::string take_output();
 
 private:

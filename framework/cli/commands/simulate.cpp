@@ -286,7 +286,8 @@ Action declare_simulate(Options& options)
                    "on one");
     options.flag("--every-step", chosen->every_step, "Record every step, not only the frames");
     options.flag("--stats", chosen->stats,
-                 "Print energy, momentum, penetration, steps a second, and what was skipped");
+                 "Print energy, momentum, penetration, steps a second, what was skipped, and "
+                 "a hash of the motion");
     options.flag("--json", chosen->json, "Print those figures as JSON");
     options.examples({"simulate spinning_box --stats",
                       "simulate hundred_boxes --with reference --out boxes.trajectory",

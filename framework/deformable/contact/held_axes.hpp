@@ -16,7 +16,7 @@ struct HeldAxes {
     std::array<bool, 3> axes = {false, false, false};
 
     bool any() const { return axes[0] || axes[1] || axes[2]; }
-    /// The vector with 0 in the prescribed coordinates.
+    /// v with its prescribed coordinates set to 0.
     Vector3d free_part(const Vector3d& v) const
     {
         return {axes[0] ? 0 : v.x(), axes[1] ? 0 : v.y(), axes[2] ? 0 : v.z()};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Makes the movers. Union-find groups the bodies that rest on each other. A group that rests only
-// on bodies with all six degrees of freedom becomes one rigid body. Each body of any other group is
+// Makes the movers, each a body or several bodies that move as one. Union-find groups the bodies
+// that rest on each other. If none of a group rests on a static body or on a body with an axis, the
+// group becomes one rigid body. Each body of any other group is
 // a mover of its own. In the directions of the forces that support it, it gets a very large mass,
 // so that its acceleration and its response to an impulse follow from one mass matrix.
 #include "deformable/contact/movers.hpp"
@@ -154,16 +155,16 @@ bool moves_with(const Body& body1, const Body& body2, const Vector3d& point, dou
 }
 
 // A contact between two rigid bodies in the previous step. Each of the two has its own entry.
-struct Lying {
+struct RestingContact {
     int body, other;
     Vector3d point, force; // present contact point [m]; mean force on `body` in that step [N]
 };
 
-std::vector<Lying> lying_bodies(const World& world, const std::vector<Wrench>& loads)
+std::vector<RestingContact> resting_contacts(const World& world, const std::vector<Wrench>& loads)
 {
-    // A contact force below this share of the force of a body's loads does not count as a support.
+    // A contact whose force is below this share of the other forces on the body is left out.
     constexpr double noticeable = 0.01;
-    std::vector<Lying> all;
+    std::vector<RestingContact> all;
     for (const WarmContact& c : world.memory.warm_contacts) {
         const Pose pose = pose_of(world.bodies[c.body1].state);
         const Vector3d point = pose.R * c.point1 + pose.X;
@@ -215,14 +216,14 @@ Movers movers_of(World& world, double time_step)
         bodies.push_back(collider_in_world(world, rigid));
         is_free.push_back(moves_freely(rigid, bodies.back()));
     }
-    const std::vector<Lying> lying = lying_bodies(world, loads);
+    const std::vector<RestingContact> resting = resting_contacts(world, loads);
     const double speed = 2 * time_step * world.settings.gravity.norm();
     UnionFind groups(n);
-    for (const Lying& c : lying)
+    for (const RestingContact& c : resting)
         if (is_free[c.body] && is_free[c.other] &&
             moves_with(bodies[c.body], bodies[c.other], c.point, speed))
             groups.unite(c.body, c.other);
-    for (const Lying& c : lying)
+    for (const RestingContact& c : resting)
         if (!is_free[c.other]) stands[groups.find(c.body)] = 1;
 
     std::vector<std::vector<int>> members(n);
@@ -232,7 +233,7 @@ Movers movers_of(World& world, double time_step)
         members[is_alone ? i : static_cast<std::size_t>(group)].push_back(static_cast<int>(i));
     }
     std::vector<std::vector<Support>> supports(n);
-    for (const Lying& c : lying)
+    for (const RestingContact& c : resting)
         if (stands[groups.find(c.body)] &&
             (bodies[c.other].is_static() || c.force.dot(loads[c.body].force) < 0))
             supports[c.body].push_back({c.point, c.force.normalized()});

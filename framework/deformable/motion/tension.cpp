@@ -2,8 +2,8 @@
 // Computes the geometric stiffness of elements under tension from their principal stresses (Smith,
 // de Goes and Kim 2019; Teran et al. 2005). A first pass over the elements finds those whose stress
 // is large for the mass of their corners. In most scenes there are none. If there are any, the code
-// finds for each part what share of the stress a turn of the whole part allows to leave out, and
-// then the terms of these elements.
+// finds for each part the share of the stress that may be left out although the whole part turns,
+// and then the terms of these elements.
 #include "deformable/motion/tension.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -15,13 +15,14 @@ namespace rigor {
 
 namespace {
 
-// What is left out is at most m/h² + k, with the letters of the header: a quarter of the mass that
-// stability allows. The rest covers the estimates below, and a stress that grows within a step.
+// What is left out is at most m/h² + k, with the letters of the header: a quarter of the mass term
+// in the limit 4 m/h² + k. The rest covers the estimates below, and a stress that grows within a
+// step.
 constexpr double most_left_out = 1;
 
-// The stress at the end of the step [Pa], in world space. A step moves the nodes along tangents. So
-// the one before has strained an element that it turned, at the spin W, by ½ h² Wᵀ W too much, and
-// this strain goes back within the step.
+// The stress at the end of the step [Pa], in world space. A step moves nodes along straight lines.
+// So an element that turned by h W in the last step was strained by ½ h² Wᵀ W too much. This step
+// removes that strain.
 Matrix3d stress_at_end(const Deformable& solid, const ElementWorkspace& work, int e, double h)
 {
     const auto [R, elastic] = work.strains[e];
@@ -47,19 +48,19 @@ double squared_gradients(const Elements& elements, int e)
     return sum;
 }
 
-// The q that any motion of the corners allows to leave out. The energy of q is at most V q |a|²/4,
-// and |a|² ≤ Σ |∇Nᵢ|²/mᵢ Σ mᵢ |uᵢ|², where the element gives each corner the mass mᵢ = ρ V/4. So
-// g/m ≤ 2 q Σ |∇Nᵢ|² / ρ.
+// The largest q that may be left out because the corners have mass. The energy of q is at most
+// V q |a|²/4, and |a|² ≤ Σ |∇Nᵢ|²/mᵢ Σ mᵢ |uᵢ|², where the element gives each corner the mass
+// mᵢ = ρ V/4. So g/m ≤ 2 q Σ |∇Nᵢ|² / ρ.
 double left_out_by_mass(double density, double gradients, double time_step)
 {
     return most_left_out * density / (2 * time_step * time_step * gradients);
 }
 
-// The q that the bending stiffness allows to leave out. A bar under the tension σ that bends into
-// a wave of the wave number κ has per mass g = σ κ²/ρ and k = E r² κ⁴/ρ, with the radius of
-// gyration r of its section (Rayleigh 1877, "The theory of sound", § 189). g - k is at most
-// σ²/(4 ρ E r²), and this is 1/h² for σ = 2 r √(ρ E)/h. In a bar that is one or two cells thick, r
-// is about half the length l of an element. It is longer in others. The q of σ is σ/2.
+// The largest q that may be left out because bending has a stiffness. A bar under the tension σ
+// that bends into a wave of the wave number κ has per mass g = σ κ²/ρ and k = E r² κ⁴/ρ, with the
+// radius of gyration r of its section (Rayleigh 1877, "The theory of sound", § 189). g - k is at
+// most σ²/(4 ρ E r²), and this is 1/h² for σ = 2 r √(ρ E)/h. In a bar that is one or two cells
+// thick, r is about half the length l of an element. It is longer in others. The q of σ is σ/2.
 double left_out_by_bending(const SolidMaterial& m, double gradients, double time_step)
 {
     const double l = 2 / std::sqrt(gradients);

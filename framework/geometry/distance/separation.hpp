@@ -22,9 +22,9 @@ struct Separation {
 /// (Gilbert, Johnson and Keerthi 1988, "A fast procedure for computing the distance between complex
 /// objects"). If they overlap or nearly touch, shape 1 is pushed out along the best of several
 /// candidate directions until the shapes are just apart. The normal between the shapes is then the
-/// next direction, as long as the depth along it is smaller. If this does not converge, or the
-/// overlap is deep, an expanding polytope (expanding_polytope.hpp) gives another first direction,
-/// and the result is the smaller of the two depths.
+/// next direction, as long as the depth along it is smaller than the one before. If this does not
+/// converge, or the overlap is deep, the search begins a second time, with a direction from an
+/// expanding polytope (expanding_polytope.hpp); the result is the smaller of the two depths.
 ///
 /// @param pose   pose of shape 1
 /// @param reach  if the shapes are farther apart than this, the result may be any lower bound of

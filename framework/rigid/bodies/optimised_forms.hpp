@@ -17,7 +17,8 @@ namespace rigor::optimised {
 }
 
 /// Inlined form of `impulse_matrix`: δ/M + r*ᵀ I⁻¹ r* with r = x - X (X: position of the body, δ:
-/// identity, r*: the matrix with r* a = r × a). Column i of the second term is (I⁻¹ (r × eᵢ)) × r.
+/// identity, r*: the matrix with r* a = r × a, I⁻¹: `J` in the code). Column i of the second term
+/// is (I⁻¹ (r × eᵢ)) × r.
 [[gnu::always_inline]] inline Matrix3d impulse_matrix(const Body& body, const Vector3d& x)
 {
     const Vector3d r = x - body.position;

@@ -44,9 +44,9 @@ struct AppliedForce {
 };
 
 /// Everything that a time step reads and changes: state, settings, and the memory of the last step.
-/// step/substeps/island_world.cpp and step/impact.cpp each build a smaller world from some of
-/// the bodies. Both copy all settings. If `World` gets a new member that a smaller world needs,
-/// both files have to copy this member too.
+/// step/substeps/island_world.cpp and step/impact.cpp each build a smaller world from some of the
+/// bodies. Both copy all settings (and turn one optimization off). If `World` gets a new member
+/// that a smaller world needs, both files have to copy this member too.
 struct World {
     double time = 0; // [s]
     std::vector<RigidBody> bodies;

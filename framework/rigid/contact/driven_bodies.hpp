@@ -33,12 +33,13 @@ void enter_moving_frames(ContactProblem& problem);
 /// same during the step.
 bool is_steady_in_frame(const ContactProblem& problem, const Island& island, int body);
 
-/// Returns an island to the world if no driven body gave it an impulse. In a moving frame, the
-/// solver would move bodies in free flight along curves.
+/// Changes the velocities of each island to which no driven body gave an impulse from those in its
+/// moving frame to those in the world. In an accelerated frame, bodies in free flight would move
+/// along curves.
 /// @param before_forces  the bodies before the forces
 void leave_unheld_frames(ContactProblem& problem, std::vector<Body>& before_forces);
 
-/// Returns all islands to the world.
+/// Changes the velocities of all other islands to those in the world.
 /// @param before_forces  the bodies before the forces
 void leave_moving_frames(ContactProblem& problem, std::vector<Body>& before_forces);
 

@@ -22,18 +22,14 @@ namespace rigor {
 /// that is not convex). Two planes never touch.
 ///
 /// Two capsules are sampled like any capsule (core_contact.hpp), although their distance has a
-/// closed form. To use the closed form, write the contact search in a module
-/// `shapes/capsule_capsule`, and let `find_ordered` call it for two capsules before it calls
-/// `find_core_contacts`. Two parallel capsules need a contact at each end of the part where they
-/// lie side by side; core_contact_test.cpp has such cases. These tests expect the contact points on
-/// the surface of the first capsule.
+/// closed form.
 void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                          const Pose& pose2, double reach, std::vector<Contact>& contacts);
 
 /// Does the same as the other `find_shape_contacts`, and looks ahead.
 /// @param move      displacement of shape 1 relative to shape 2 in this step [m], for two boxes, or
 ///                  a sphere and a box; with 0, the search does not look ahead
-/// @param counters  receives the counts of built level sets and of their samples
+/// @param counters  increased by the numbers of built level sets and of their samples
 void find_shape_contacts(const Shape& shape1, const Pose& pose1, const Shape& shape2,
                          const Pose& pose2, const Vector3d& move, double reach, Counters& counters,
                          std::vector<Contact>& contacts);

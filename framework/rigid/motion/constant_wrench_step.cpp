@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One step under a constant wrench, by Buss's augmented fourth-order method (2000). The code
-// computes ω and its derivatives, then from a series of these the mean angular velocity Ω, and then
-// one rotation by Ω h. For a body without torque, the exact Ω can replace the series.
+// One step under a constant wrench. A body of revolution without torque takes two exact rotations.
+// Any other body takes one rotation by Ω h, where Ω is the constant angular velocity that gives the
+// same rotation as the changing ω. Ω comes from a series of ω and its derivatives, by Buss's
+// augmented fourth-order method (2000); for a body without torque it can also be exact.
 #include "rigid/motion/constant_wrench_step.hpp"
 
 #include "formulas/rotation.hpp"

@@ -12,8 +12,7 @@ namespace rigor {
 /// that bounces leaves this path: a ball that a spring pulls to the ground would get the impulse of
 /// a spring that goes on stretching, and gain ½ k v² h² at each bounce. Therefore islands that
 /// forces act on and that collisions changed fly again, with their velocities after the collision
-/// stage. As long as this object lives, the states of these bodies in the world have these
-/// velocities.
+/// stage. Until `restore` is called, the states of these bodies in the world have these velocities.
 ///
 /// This is done for islands of at most `most_refined` bodies (detection/overlap_depth.hpp) that are
 /// solved in the world (`MovingFrame::is_world`). Integrators whose step has a single stage
@@ -34,7 +33,8 @@ public:
     const std::vector<bool>& bodies() const { return bodies_; }
     /// The states of all bodies of the world after the new flight.
     const std::vector<RigidState>& flown() const { return flown_; }
-    /// Gives the bodies of the world their velocities before the collisions again.
+    /// Gives the bodies of the world their velocities before the collisions again. A second call
+    /// changes nothing.
     void restore();
 
 private:

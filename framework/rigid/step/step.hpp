@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The time step of rigid bodies, in the order of Guendelman, Bridson and Fedkiw (2003, "Nonconvex
-// rigid bodies with stacking", ACM Trans. Graph. 22). Each stage is a call or two in step.cpp:
+// rigid bodies with stacking", ACM Trans. Graph. 22). The stages are calls in step.cpp:
 //
 // stage                 reads                     writes               where
 //   a single body       its state, gravity        its state, memory    step/single_body; then the
@@ -14,8 +14,8 @@
 // 2 find contacts       states, flown states      contact candidates   detection/contact_candidates
 //   broad phase         bounds, memory            pairs of bodies,     detection/broad_phase
 //                                                 memory
-//   margins, turn ahead flown states, masses      margins, poses       `margins_of`, `turn_ahead`
-//                                                                      in contact_candidates
+//   margins, turn ahead flown states, masses,     margins, poses       `margins_of`, `turn_ahead`
+//                       restitutions                                   in contact_candidates
 //   narrow phase        shapes, poses, margins    candidates           detection/narrow_phase
 //   wake up             candidates                sleeping bodies,     step/sleep, `wake`; if any
 //                                                 memory               wakes, 1 and 2 run again
@@ -53,8 +53,8 @@
 //   leave unheld frames impulses, frames          velocities           contact/driven_bodies
 // 7 positions           velocities, displacements states               step/position_update
 //   leave frames        frames                    velocities           contact/driven_bodies
-// 8 refine              states, contacts, memory  states, records      step/impact,
-//                                                                      step/substeps/
+// 8 refine              states, contacts, memory  states, records,     step/impact,
+//                                                 impulses (to 0)      step/substeps/
 //   missed contacts     flown states, states,     none                 step/missed_contacts; if
 //                       margins                                        there is one, the whole step
 //                                                                      runs again in two parts
@@ -62,8 +62,8 @@
 //                                                 warm contacts
 // 9 sleep               states, islands           states, memory, the  step/sleep
 //                                                 next warm contacts
-//   finish the step     states, records, memory,  world, memory        step/step_result
-//                       the next warm contacts
+//   finish the step     states, records, memory,  world (also `rest`   step/step_result
+//                       the next warm contacts  of bodies), memory
 //
 // "Memory" is what the world keeps for its next step (`StepMemory` in bodies/step_memory.hpp). A
 // "record" is a contact with its impulse, for the trajectory (`ContactRecord`).
@@ -92,7 +92,7 @@
 // `correct_node_positions` in deformable/contact/node_collisions, and the law of friction of the
 // implicit step in deformable/motion/contact_set.
 //
-// Papers of the stages, by the numbers above (7 to 9 were made for Rigor, this engine):
+// Papers of the stages, by the numbers above (7 to 9 have no paper):
 //
 // 1 Jacobi (1849), van Zon and Schofield (2007)      motion/free_rotation
 //   Buss (2000)                                      motion/constant_wrench_step

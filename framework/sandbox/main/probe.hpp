@@ -7,8 +7,9 @@
 
 namespace rigor::confine {
 
-/// Prints one line of words: `namespaces=plain user seccomp=notify landlock`. Parts of the sandbox
-/// that cannot be put up are left out.
+/// Prints one line of words, one for each part of the sandbox that can be put up:
+/// `namespaces=plain` (or `=user`: inside a user namespace), `user` (the program gets a user id of
+/// its own), `seccomp=notify` (or `=kill`: blocked calls are not named) and `landlock`.
 void probe(const Options& options);
 
 } // namespace rigor::confine

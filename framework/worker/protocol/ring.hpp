@@ -15,7 +15,7 @@ namespace rigor {
 struct Ring {
     static constexpr std::uint32_t size = std::uint32_t{4} << 20; // [bytes], a power of two
 
-    // How many bytes were written and read since the scene's start, modulo 2^32.
+    // `written`, `read`: bytes so far, modulo 2^32. Both are 0 when a scene starts.
     alignas(64) std::atomic<std::uint32_t> written;
     std::atomic<std::uint32_t>
         written_awaited; // not 0 while the reader may sleep until `written` changes

@@ -43,8 +43,8 @@ void refuse_non_finite(FormulaIndex formula, const Result& result, double larges
     throw NotFinite(subject_of(formula), find_non_finite(result, largest));
 }
 
-/// Throws if one of the arguments for which the reference has failed is beyond what it has to
-/// answer.
+/// Called after the reference failed. If an argument is larger than those that the reference must
+/// handle, throws `BeyondReference`.
 template <class... Argument>
 void excuse_reference(FormulaIndex formula, const Argument&... arguments)
 {

@@ -222,7 +222,10 @@ TEST_CASE("slurm: without Slurm the command says so in one line", "[cli][class][
     const TemporaryFolder folder;
     const fs::path submissions = small_class(folder, 1), out = folder.path() / "out";
     const std::string path = std::getenv("PATH") ? std::getenv("PATH") : "";
-    setenv("PATH", "/nonexistent", 1);
+    const fs::path ninja_alone = folder.path() / "ninja_alone"; // `rigor` builds `rigor_class`
+    fs::create_directory(ninja_alone);
+    fs::create_symlink(RIGOR_NINJA, ninja_alone / "ninja");
+    setenv("PATH", ninja_alone.c_str(), 1);
     const Run missing = rigor(slurm_arguments(submissions, out));
     setenv("PATH", path.c_str(), 1);
     CHECK(missing.status == 2);

@@ -171,8 +171,8 @@ private:
     // A gap that differs from a linear one by at most this counts as linear [m].
     double deviation() const { return least_improvement * core_.meters(); }
 
-    // The place beyond sample i where the gap stops to change as it does before this sample.
-    // @param side  1 if the linear part lies before the sample, -1 if it lies behind
+    // The point beyond sample i where the gap stops being linear.
+    // @param side  1 if the linear part ends at the sample, -1 if it begins there
     double end_of_line(int i, int side, const std::vector<double>& gaps, double step) const
     {
         constexpr int bisections = 30; // shorten the interval to 1e-9 of its length
@@ -185,7 +185,7 @@ private:
             (is_on ? on : off) = middle;
         }
         // The gap grows by δ²/2r at the distance δ beyond the end, r: radius. This is the largest δ
-        // that counts as linear. Without it, the point may lie beyond the face.
+        // that counts as linear. If δ is not subtracted, the point may lie beyond the face.
         const double beyond = std::sqrt(2 * core_.radius * deviation());
         return i * step + side * std::max(on - beyond, 0.0);
     }

@@ -21,7 +21,8 @@ struct Refinement {
 using StepOfPart = std::function<std::vector<ContactRecord>(World& world, double time_step,
                                                             const Divisions& divisions)>;
 
-/// Repeats the step of an island in two parts, in these cases:
+/// Repeats the step of an island in two parts, in these cases. (If more bounces follow
+/// in the step, a third part between the two, a very short one, has the first bounce alone.)
 /// 1. The overlap of two bodies has grown too much. The step is divided in the middle. During a
 ///    step, a contact acts along one fixed normal. Sliding in the plane of the contact does no
 ///    harm. But the points of a body that rotates by θ move out of this plane by up to θ² r/2 (r:

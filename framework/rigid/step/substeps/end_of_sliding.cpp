@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Predicts when a contact stops sliding (a method of this engine, without a paper). First it finds
+// the contacts that slide at the start of the step. If the friction of one of them is below its
+// limit, it computes the velocities at the end of a step with all these frictions at their limits.
+// The sliding speed of each contact is taken to change at a constant rate between start and end.
 #include "rigid/step/substeps/end_of_sliding.hpp"
 
 #include "rigid/step/midpoint/middle_of_step.hpp"

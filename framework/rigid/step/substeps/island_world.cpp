@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Copies an island into a world of its own. First come the bodies that move, then the static bodies
+// that contacts or springs connect with them; then their springs, forces, pair laws and warm
+// contacts, with the new indices of the bodies.
 #include "rigid/step/substeps/island_world.hpp"
 
 #include <algorithm>
