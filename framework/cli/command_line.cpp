@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -79,6 +80,8 @@ int run_action(const Action& action)
 
 int run_command_line(int argc, char** argv, Commands commands)
 {
+    // Whatever the umask is, nothing is made that every user may change.
+    umask(umask(0) | S_IWOTH);
     CLI::App app("Rigor: rigid-body animation, assignments and their grading.", "rigor");
     app.set_version_flag("--version", RIGOR_VERSION);
     app.require_subcommand(1);

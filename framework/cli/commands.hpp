@@ -14,8 +14,8 @@ struct CommandEntry {
     Action (*declare)(Options& options) = nullptr; // nullptr: the program `rigor_class` has it
 };
 
-/// All commands. Those without a function belong to `rigor_class`. Their rows are repeated, with
-/// the functions, in cli/instructor/main/main.cpp.
+/// All commands. Those without a function belong to `rigor_class`: their functions are in
+/// cli/instructor/main/main.cpp.
 std::span<const CommandEntry> commands();
 
 } // namespace rigor

@@ -6,17 +6,21 @@
 #include "cli/instructor/grade_chunk.hpp"
 #include "cli/instructor/release.hpp"
 
-#include <sys/stat.h>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 int main(int argc, char** argv)
 {
     using namespace rigor;
-    static constexpr CommandEntry commands[] = {
-        {"grade", "Grade a class: folders and archives", declare_grade},
-        {"grade-chunk", "Grade a part of a class (Slurm starts this)", declare_grade_chunk},
-        {"release", "Make what students, Gradescope or GitHub get", declare_release},
+    constexpr std::pair<std::string_view, Action (*)(Options&)> functions[] = {
+        {"grade", declare_grade},
+        {"grade-chunk", declare_grade_chunk},
+        {"release", declare_release},
     };
-    // Whatever the umask is, nothing is made that every user may change.
-    umask(umask(0) | S_IWOTH);
-    return run_command_line(argc, argv, commands);
+    std::vector<CommandEntry> own;
+    for (const CommandEntry& command : commands())
+        for (const auto& [name, declare] : functions)
+            if (command.name == name) own.push_back({command.name, command.summary, declare});
+    return run_command_line(argc, argv, own);
 }
