@@ -27,6 +27,7 @@ namespace rigor::testing {
 namespace {
 
 RunOptions options;
+std::string passed_tag; // the tag of the test case before, if it passed
 
 // A text of the verdict, of which the reader of the line needs the beginning. Values of a
 // submission may be lists of millions of numbers, and a line that is too long is no verdict.
@@ -88,7 +89,7 @@ public:
         draw_first_seed(name_);
         send({{"begin", name_}, {"tag", task_tag(tags_)}});
         const std::string tag = task_tag(tags_);
-        begin_test_case(tag, !tag.empty() && tag == passed_tag_, stalled());
+        begin_test_case(tag, !tag.empty() && tag == passed_tag, stalled());
     }
 
     AssertionDone assertionEnded(const Catch::AssertionStats& stats) override
@@ -112,7 +113,7 @@ public:
             message_ = "no answer could be checked: the formula gave none for which the law holds";
         }
         if (v.status.empty()) v.status = "failed";
-        passed_tag_ = v.status == "passed" ? task_tag(tags_) : "";
+        passed_tag = v.status == "passed" ? task_tag(tags_) : "";
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
         const CostSoFar cost = cost_so_far();
         send({{"tag", task_tag(tags_)},
@@ -180,7 +181,6 @@ private:
     }
 
     std::string name_, tags_, message_;
-    std::string passed_tag_; // the tag of the test case before, if it passed
     std::chrono::steady_clock::time_point start_;
 };
 
@@ -198,6 +198,11 @@ std::string take(std::vector<char*>& arguments, const char* name)
     return "";
 }
 
+// What follows a specification for the parts of its test cases, in the order in which they run. A
+// student is shown the first broken law, so the laws of the topic come before the universal ones.
+// Without the parts, the order of the folders would be that of the linker.
+constexpr const char* parts[] = {"~[universal]~[hidden]", "[universal]~[hidden]", "[hidden]"};
+
 // Runs the test cases of each specification in turn, those of the first one first. The grader gives
 // one for each task, so that the test cases of a task follow each other.
 int run_in_turn(int count, char** arguments)
@@ -205,13 +210,15 @@ int run_in_turn(int count, char** arguments)
     Catch::Session session;
     if (const int error = session.applyCommandLine(count, arguments)) return error;
     Catch::ConfigData config = session.configData();
-    if (options.verdicts < 0 || config.testsOrTags.size() < 2) return session.run();
+    if (options.verdicts < 0) return session.run();
     int failed = 0;
-    for (const std::string& specification : std::exchange(config.testsOrTags, {})) {
-        config.testsOrTags = {specification};
-        session.useConfigData(config);
-        failed += session.run();
-    }
+    for (const std::string& specification : std::exchange(config.testsOrTags, {}))
+        for (const char* part : parts) {
+            config.testsOrTags = {specification + part};
+            session.useConfigData(config);
+            failed += session.run();
+            if (failed > 0 && config.abortAfter > 0) return failed; // option --abort
+        }
     return std::min(failed, 255); // the largest exit status
 }
 

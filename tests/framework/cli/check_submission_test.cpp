@@ -4,7 +4,9 @@
 #include "checked.hpp"
 #include "support/catch.hpp"
 
+#include <algorithm>
 #include <fstream>
+#include <functional>
 #include <regex>
 #include <set>
 
@@ -128,6 +130,27 @@ TEST_CASE("submission: a wrong answer is explained in one sentence", "[cli][subm
         mistake.get<std::string>().starts_with("Your answer is 3 times the right one, on all "));
     REQUIRE(checked.said.find("the mistake   Your answer is 3 times the right one") !=
             std::string::npos);
+}
+
+TEST_CASE("submission: the laws of the topic come before the universal ones", "[cli][submission]")
+{
+    const TemporaryFolder folder;
+    folder.write(
+        "pipeline.cpp",
+        "#include \"formulas/pipeline.hpp\"\nnamespace rigor {\n"
+        "double kinetic_energy(double, const Vector3d&, const Matrix3d&, const Vector3d&)\n"
+        "{\n    return 1;\n}\n}\n");
+    const Checked checked = check({"A0.1"}, folder.path());
+    CAPTURE(checked.said);
+    const json& test = checked.result["tests"][0];
+    const auto is_universal = [](const json& one) {
+        return one["name"].get<std::string>().starts_with("pipeline: kinetic_energy ");
+    };
+    const json& cases = test["cases"];
+    REQUIRE(std::is_partitioned(cases.begin(), cases.end(), std::not_fn(is_universal)));
+    REQUIRE(!is_universal(cases.front()));
+    REQUIRE(is_universal(cases.back()));
+    REQUIRE(test["message"] == cases.front()["name"]); // the first one that is broken
 }
 
 TEST_CASE("submission: a syntax error is told with file and line", "[cli][submission]")

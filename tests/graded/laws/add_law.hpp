@@ -27,7 +27,8 @@ template <class Law> bool add_law()
 #define RIGOR_ROW(tag, topic, function, ...)                                                       \
     if constexpr (Law::holds_for(FormulaIndex::function))                                          \
         add(&Law::template check<FormulaIndex::function, rigor::function>,                         \
-            std::string(#topic ": " #function " ") + Law::words, "[" #tag "][" #topic "]");
+            std::string(#topic ": " #function " ") + Law::words,                                   \
+            "[" #tag "][" #topic "][universal]");
     RIGOR_FORMULAS(RIGOR_ROW)
 #undef RIGOR_ROW
     return true;
