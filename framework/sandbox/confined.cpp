@@ -200,6 +200,14 @@ void allow_start(int listener, int reports)
     ioctl(listener, SECCOMP_IOCTL_NOTIF_SEND, &answer); // fails only if the launcher has died
 }
 
+/// Whether a program cannot be started for what is in its file. The other errors of this call are
+/// about the machine as it is now.
+bool is_fault_of_file(int error)
+{
+    return error == ENOEXEC || error == EINVAL || error == ELIBBAD || error == ENOENT ||
+           error == ENOMEM || error == E2BIG;
+}
+
 bool ends_within(pid_t child, int milliseconds)
 {
     const int handle = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
@@ -267,19 +275,23 @@ void Confined::await_start()
 {
     if (reports_ < 0) return;
     const Descriptor reports = std::move(reports_);
-    const auto checked = [&](const Received& received) {
-        if (!received.closed && received.report.error != 0)
-            throw_errno(received.report.error,
-                        fmt::format("cannot start {}: {}", path_, received.report.action));
+    const auto what = [&](const Received& failed) {
+        return fmt::format("cannot start {}: {}", path_, failed.report.action);
+    };
+    const auto has_failed = [](const Received& received) {
+        return !received.closed && received.report.error != 0;
     };
     try {
         const Received ready = receive(reports);
         if (ready.listener >= 0) listener_ = Descriptor(ready.listener, "listener");
-        checked(ready);
+        if (has_failed(ready)) throw_errno(ready.report.error, what(ready));
         if (ready.closed) throw_errno(ECHILD, "cannot start " + path_ + ": its launcher has died");
         program_ = ready.sender;
         if (asks_) allow_start(listener_, reports);
-        checked(receive(reports)); // the socket closes when the program starts
+        const Received last = receive(reports); // the socket closes when the program starts
+        if (has_failed(last) && is_fault_of_file(last.report.error))
+            throw CannotRun(last.report.error, std::generic_category(), what(last));
+        if (has_failed(last)) throw_errno(last.report.error, what(last));
     } catch (...) {
         end();
         throw;

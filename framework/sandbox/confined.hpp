@@ -20,6 +20,7 @@
 #include <string>
 #include <sys/resource.h>
 #include <sys/types.h>
+#include <system_error>
 #include <vector>
 
 namespace rigor {
@@ -67,6 +68,11 @@ bool can_limit_processes(const Walls& walls);
 /// memory, the descriptors and the environment of this process (`/proc/PID/mem`, `fd`, `environ`).
 void make_undumpable();
 
+/// The system refuses to run a program in a sandbox that is up: its file is at fault.
+struct CannotRun : std::system_error {
+    using std::system_error::system_error;
+};
+
 class Confined {
 public:
     /// Starts a program. `arguments` begins with the path of the program. `descriptors` become the
@@ -83,7 +89,7 @@ public:
 
     /// Waits until the program runs. With a listener of blocked calls, a worker does not start
     /// before this call: its launcher puts up the sandbox and then waits for permission to go on.
-    /// @throws std::system_error if the program cannot be started in this sandbox
+    /// @throws CannotRun, std::system_error if the program cannot be started in this sandbox
     void await_start();
 
     /// The process id of the monitor, the process that watches the program from outside. The

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Waits for three events at once: output, the end of the monitor, and a blocked call, but not
-// longer than the limit on time. The rest of the output is read after all processes have ended,
-// unless the program has printed too much.
+// longer than the limit on time. Ten times a second, it also looks whether the program has stopped
+// itself. The rest of the output is read after all processes have ended, unless the program has
+// printed too much.
 #include "sandbox/run_confined.hpp"
 
 #include <algorithm>
@@ -64,8 +65,18 @@ private:
     {
         drain();
         result_.blocked_call = program_.blocked_call();
+        result_.stopped = has_stopped();
         result_.timed_out = seconds() > limits_.time.count();
-        return has_ended_ || result_.blocked_call || result_.timed_out || result_.flooded;
+        return has_ended_ || result_.blocked_call || result_.stopped || result_.timed_out ||
+               result_.flooded;
+    }
+
+    // The monitor stops if the program has stopped.
+    bool has_stopped() const
+    {
+        siginfo_t info{};
+        return waitid(P_PID, program_.monitor(), &info, WSTOPPED | WNOHANG | WNOWAIT) == 0 &&
+               info.si_pid != 0;
     }
 
     void wait_a_moment()
@@ -73,8 +84,9 @@ private:
         pollfd waiting[] = {{ended_, POLLIN, 0},
                             {output_is_open_ ? int(output_.read) : -1, POLLIN, 0},
                             {listener_is_open_ ? program_.listener() : -1, POLLIN, 0}};
-        const double left = std::max(0.0, limits_.time.count() - seconds());
-        poll(waiting, 3, static_cast<int>(1000 * std::min(left, 3600.0)) + 1);
+        constexpr double longest = 0.1; // [s]; nothing here tells that the monitor has stopped
+        const double left = std::clamp(limits_.time.count() - seconds(), 0.0, longest);
+        poll(waiting, 3, static_cast<int>(1000 * left) + 1);
         has_ended_ = waiting[0].revents != 0;
         // A listener whose processes have all ended would be ready forever, so it is left out.
         if (waiting[2].revents & POLLHUP) listener_is_open_ = false;

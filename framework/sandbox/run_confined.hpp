@@ -22,20 +22,21 @@ struct ConfinedRun {
     std::optional<int> blocked_call;
     // Whether the program took more time, or printed more, than its limits allow.
     bool timed_out = false, flooded = false;
-    std::string output; // the beginning of stdout and stderr together, in order
-    double seconds = 0; // wall-clock time of launcher and program [s]
+    bool stopped = false; // whether it stopped itself
+    std::string output;   // the beginning of stdout and stderr together, in order
+    double seconds = 0;   // wall-clock time of launcher and program [s]
     // How many processes of the whole machine the kernel has ended meanwhile for want of memory.
     std::uint64_t oom_kills = 0;
     double processor_seconds = 0; // processor time of the program and of all that it started [s]
 
     bool ok() const
     {
-        return status == 0 && signal == 0 && !blocked_call && !timed_out && !flooded;
+        return status == 0 && signal == 0 && !blocked_call && !timed_out && !flooded && !stopped;
     }
 };
 
-/// Runs a program until it ends, exceeds a limit of `limits` or makes a blocked call. Then the
-/// program and all that it started are ended.
+/// Runs a program until it ends, exceeds a limit of `limits`, makes a blocked call or stops itself.
+/// Then the program and all that it started are ended.
 /// @param input  a descriptor that becomes its stdin; -1 for an empty one
 /// @throws std::system_error if the program cannot be started in this sandbox
 ConfinedRun run_confined(const Confinement& confinement, const std::vector<std::string>& arguments,

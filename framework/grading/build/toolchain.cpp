@@ -267,12 +267,21 @@ std::string why_it_does_not_start(const fs::path& worker)
     limits.time = std::chrono::duration<double>(busy * longest_start);
     // A worker that was started without a client ends its main function with this status.
     constexpr int without_client = 2;
-    const ConfinedRun run = run_confined(walls, {worker.string()}, limits);
+    ConfinedRun run;
+    try {
+        run = run_confined(walls, {worker.string()}, limits);
+    } catch (const CannotRun& failure) {
+        return fmt::format("makes a program that the system cannot run ({}): look for code for the "
+                           "assembler or the linker\n",
+                           failure.code().message());
+    }
     if (run.status == without_client && run.signal == 0 && !run.blocked_call && !run.timed_out)
         return "";
     const std::string when = " before any function is called: look at what it defines globally\n";
     const bool is_out_of_time = run.signal == SIGXCPU || run.signal == SIGKILL;
     if (run.timed_out || is_out_of_time) return "does not return" + when;
+    if (run.stopped) return "stops itself" + when;
+    if (run.flooded) return "prints too much" + when;
     if (run.blocked_call) return "tries to " + words_for_blocked_call(*run.blocked_call) + when;
     if (run.signal != 0) return std::string("crashes (") + strsignal(run.signal) + ")" + when;
     return "ends the program" + when;

@@ -84,6 +84,18 @@ void end_descendants(pid_t program, pid_t init)
     _exit(128 + signal);
 }
 
+// Stops this process, since the program has stopped itself. It ends the program before that: once
+// stopped, it could not do so if the grader is killed. The kernel then ends this process.
+void stop_like(pid_t program, pid_t init)
+{
+    end_descendants(program, init);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    sigset_t pending;
+    sigpending(&pending);
+    if (sigismember(&pending, SIGTERM) == 1) _exit(0); // the grader has died already, or ends this
+    raise(SIGSTOP);
+}
+
 // Collects the children that have ended. If the program is among them, this process ends too.
 void collect_children(pid_t program, pid_t init)
 {
@@ -91,7 +103,7 @@ void collect_children(pid_t program, pid_t init)
     for (pid_t child; (child = waitpid(-1, &status, WNOHANG | WUNTRACED)) > 0;) {
         if (child != program) continue;
         if (WIFSTOPPED(status)) {
-            raise(SIGSTOP);
+            stop_like(program, init);
             continue;
         }
         end_descendants(0, init); // not `program`: its process id may be in use again

@@ -6,7 +6,9 @@
 #include "support/temporary_folder.hpp"
 
 #include <csignal>
+#include <fstream>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace rigor {
@@ -145,12 +147,54 @@ TEST_CASE("sandbox: the end of a program is told as it was")
         limits.time = std::chrono::milliseconds(200);
         limits.output = 100000;
         REQUIRE(run_confined(walls, {program("attempt"), "loop"}, limits).timed_out);
-        REQUIRE(run_confined(walls, {program("attempt"), "stop"}, limits).timed_out);
         limits.time = ample_time().time;
+        REQUIRE(run_confined(walls, {program("attempt"), "stop"}, limits).stopped);
         const ConfinedRun flood = run_confined(walls, {program("attempt"), "flood"}, limits);
         REQUIRE(flood.flooded);
         REQUIRE(flood.output.starts_with("a line that is repeated without end\n"));
         REQUIRE(flood.output.size() <= limits.output_kept);
+    }
+}
+
+namespace {
+
+// Whether a process ends within a few seconds. One that has ended may have no parent that asks how.
+bool ends_soon(pid_t process)
+{
+    for (int i = 0; i < 300; ++i) {
+        std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+        std::string text;
+        if (!std::getline(file, text) || text[text.rfind(") ") + 2] == 'Z') return true;
+        usleep(10000);
+    }
+    return false;
+}
+
+} // namespace
+
+TEST_CASE("sandbox: a program that has stopped itself ends with its grader")
+{
+    for (const Tier tier : possible_tiers()) {
+        CAPTURE(description(tier));
+        int ends[2];
+        REQUIRE(pipe(ends) == 0);
+        const pid_t grader = fork();
+        if (grader == 0) {
+            const Confined stopped(confinement(Profile::worker, tier), {program("attempt"), "stop"},
+                                   {});
+            siginfo_t info;
+            waitid(P_PID, stopped.monitor(), &info, WSTOPPED | WNOWAIT);
+            const pid_t monitor = stopped.monitor();
+            if (write(ends[1], &monitor, sizeof monitor) == sizeof monitor) pause();
+            _exit(1);
+        }
+        close(ends[1]);
+        pid_t monitor = 0;
+        REQUIRE(read(ends[0], &monitor, sizeof monitor) == sizeof monitor);
+        close(ends[0]);
+        kill(grader, SIGKILL);
+        waitpid(grader, nullptr, 0);
+        REQUIRE(ends_soon(monitor));
     }
 }
 
