@@ -144,20 +144,22 @@ std::optional<Broken> Process::ending()
 std::optional<Process::Progress> Process::progress() const
 {
     const std::string folder = "/proc/" + std::to_string(program_.program());
-    // The main thread's time on a processor [ns], see sched-stats.rst of the Linux kernel. The same
-    // file has the time that the thread waited for a processor, but that number grows only when the
-    // waiting is over.
-    std::ifstream times(folder + "/schedstat");
-    std::int64_t on_processor = 0;
+    // A thread's time on a processor and the time that it waited for one [ns], see the kernel's
+    // sched-stats.rst. The second number grows only when the waiting is over.
+    std::ifstream times(folder + "/schedstat"), own("/proc/thread-self/schedstat");
+    std::int64_t on_processor = 0, waited = 0, own_on_processor = 0, own_waited = 0;
     // The state of the process is the letter after its name. The name is in brackets and may have
     // spaces.
     std::ifstream status(folder + "/stat");
     std::string line;
     std::getline(status, line);
     const std::size_t name_end = line.rfind(") ");
-    if (!(times >> on_processor) || name_end == std::string::npos) return {};
+    if (!(times >> on_processor >> waited) || !(own >> own_on_processor >> own_waited) ||
+        name_end == std::string::npos)
+        return {};
     const char state = line[name_end + 2];
-    return Progress{std::chrono::nanoseconds(on_processor), state != 'R' && state != 'D'};
+    return Progress{std::chrono::nanoseconds(on_processor),
+                    std::chrono::nanoseconds(waited + own_waited), state != 'R' && state != 'D'};
 }
 
 std::chrono::duration<double> Process::on_processor() const

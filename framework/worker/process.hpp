@@ -106,6 +106,8 @@ public:
     /// does not tell.
     struct Progress {
         std::chrono::nanoseconds on_processor{0}; // time that its main thread was on a processor
+        // Time that its main thread and the calling thread of this process waited for a processor.
+        std::chrono::nanoseconds waited_to_run{0};
         bool sleeps = false; // whether it neither runs, nor waits for a processor or a disk
     };
     std::optional<Progress> progress() const;

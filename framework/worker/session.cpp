@@ -94,23 +94,38 @@ const Reply& Session::ask(const Question& question, Allowance& allowance)
 }
 
 /// The part of `passed` that counts for the time limit: all of it if the worker sleeps or if /proc
-/// does not tell, otherwise the time that the worker was on a processor since `before`. The time in
-/// which it waits for a processor does not count, because this may take seconds on a busy machine.
-/// But at least a tenth of `passed` counts, since a worker could keep the machine busy itself to
-/// gain time.
-/// @param before       the progress at the previous call, which this call replaces
-/// @param has_replied  whether the worker has sent something; if it sleeps then, it is done, and
-///                     its sleep does not count in full
-Allowance::Seconds Session::counted(Allowance::Seconds passed,
-                                    std::optional<Process::Progress>& before,
-                                    bool has_replied) const
+/// does not tell, otherwise the time that the worker was on a processor since the last look. The
+/// time in which it waits for a processor does not count, because this may take seconds on a busy
+/// machine. But at least a tenth of `passed` counts, since a worker could keep the machine busy
+/// itself to gain time.
+/// @param is_done  whether the worker has replied or waits for an answer of the client; if it
+///                 sleeps then, its sleep does not count in full
+Allowance::Seconds Session::counted(Allowance::Seconds passed, bool is_done)
 {
     const std::optional<Process::Progress> now = process_.progress();
     if (!now) return passed;
-    const Allowance::Seconds ran =
-        before ? now->on_processor - before->on_processor : std::chrono::nanoseconds(0);
-    before = now;
-    return now->sleeps && !has_replied ? passed : std::clamp(ran, passed / 10, passed);
+    const Allowance::Seconds ran = now->on_processor - seen_.on_processor;
+    seen_ = *now;
+    return now->sleeps && !is_done ? passed : std::clamp(ran, passed / 10, passed);
+}
+
+/// What counts of a first wait, which is one slice long at most. To look at the progress of the
+/// worker takes longer than most answers, so such waits are added up until they are worth a look.
+/// They count in full, sleep too, but for the time in which the worker or this process waited for a
+/// processor.
+/// @param has_come  whether the worker has sent something
+Allowance::Seconds Session::counted_first(Allowance::Seconds passed, bool has_come)
+{
+    constexpr std::chrono::milliseconds worth_a_look(20);
+    first_waits_ += passed;
+    if (has_come && first_waits_ < worth_a_look) return {};
+    const Allowance::Seconds waits = std::exchange(first_waits_, {});
+    const std::optional<Process::Progress> now = process_.progress();
+    if (!now) return waits;
+    const Allowance::Seconds ran = now->on_processor - seen_.on_processor,
+                             in_vain = now->waited_to_run - seen_.waited_to_run;
+    seen_ = *now;
+    return std::clamp(std::max(ran, waits - in_vain), waits / 10, waits);
 }
 
 /// Waits for a part of the stream, or until the reply with the current sequence number is there,
@@ -120,8 +135,7 @@ Bytes Session::next_part(Allowance& allowance)
     std::atomic<std::uint32_t>& reply = process_.channel().reply;
     std::atomic<std::uint32_t>& awaited = process_.channel().reply_awaited;
     std::chrono::milliseconds slice(1);
-    std::optional<Process::Progress> before;
-    for (;;) {
+    for (bool is_first = true;; is_first = false) {
         if (Bytes part = take_stream(); !part.empty()) return part;
         const Clock::time_point start = Clock::now();
         // If the client gives answers, anything new in the stream ends the wait too: a worker that
@@ -130,17 +144,16 @@ Bytes Session::next_part(Allowance& allowance)
         const std::uint32_t now =
             await_change(reply, awaited, sequence_ - 1, slice, gives_ ? &streamed : nullptr);
         const Allowance::Seconds passed = Clock::now() - start;
-        // If this process itself had to wait for a processor, it sees too late that a reply came in
-        // time. So the last wait counts as at most one slice, the longest time of a single wait. If
-        // something comes within the first slice, which is short, the progress is not looked at.
-        const bool has_replied = now == sequence_;
-        const bool has_come = has_replied || (gives_ && streamed.word.load() != taken_);
-        const Allowance::Seconds time =
-            has_come && !before ? passed : counted(passed, before, has_come);
-        allowance.waited += has_come ? std::min<Allowance::Seconds>(time, slice) : time;
+        // If this process itself had to wait for a processor, it sees too late that the worker was
+        // done. So the last wait counts as at most one slice, the longest time of a single wait.
+        const bool has_replied = now == sequence_, has_streamed = streamed.word.load() != taken_;
+        const bool is_done = has_replied || (gives_ && has_streamed);
+        const Allowance::Seconds at_most = std::min<Allowance::Seconds>(passed, slice);
+        allowance.waited += is_first ? counted_first(at_most, has_replied || has_streamed)
+                                     : counted(is_done ? at_most : passed, is_done);
         if (has_replied) return take_stream();
         if (now != sequence_ - 1) throw Broken{WorkerFailure::malformed, out_of_turn};
-        if (Bytes part = has_come ? take_stream() : Bytes(); !part.empty()) return part;
+        if (Bytes part = is_done ? take_stream() : Bytes(); !part.empty()) return part;
         collect_output();
         if (const auto ending = process_.ending()) {
             // If there is a reply, it came before the process ended, so it counts.
@@ -185,13 +198,12 @@ void Session::give(FormulaIndex formula, std::span<const std::byte> answer, Allo
 void Session::give_bytes(std::span<const std::byte> bytes, Allowance& allowance)
 {
     Ring& answers = process_.channel().answers;
-    std::optional<Process::Progress> before;
     while (!bytes.empty()) {
         const std::uint32_t used = answers.read.load(std::memory_order_acquire);
         const std::uint32_t unread = given_ - used;
         if (unread > Ring::size) throw Broken{WorkerFailure::malformed, out_of_turn};
         if (unread == Ring::size) {
-            await_room(used, before, allowance);
+            await_room(used, allowance);
             continue;
         }
         const std::size_t n = std::min<std::size_t>(bytes.size(), Ring::size - unread);
@@ -205,13 +217,12 @@ void Session::give_bytes(std::span<const std::byte> bytes, Allowance& allowance)
 /// Waits for at most 20 ms until the worker has read some of the answers that were given to it. No
 /// deadlock is possible: this process has read all that was streamed before this answer, so the
 /// worker cannot be waiting for room in its own stream at the same time.
-void Session::await_room(std::uint32_t used, std::optional<Process::Progress>& before,
-                         Allowance& allowance)
+void Session::await_room(std::uint32_t used, Allowance& allowance)
 {
     Ring& answers = process_.channel().answers;
     const Clock::time_point start = Clock::now();
     await_change(answers.read, answers.read_awaited, used, std::chrono::milliseconds(20));
-    allowance.waited += counted(Clock::now() - start, before, false);
+    allowance.waited += counted(Clock::now() - start, false);
     if (const auto ending = process_.ending()) throw *ending;
     if (allowance.used_up()) throw Broken{WorkerFailure::timed_out, allowance.verdict()};
 }

@@ -82,13 +82,12 @@ public:
     std::string take_output();
 
 private:
-    Allowance::Seconds counted(Allowance::Seconds passed, std::optional<Process::Progress>& before,
-                               bool has_replied) const;
+    Allowance::Seconds counted(Allowance::Seconds passed, bool is_done);
+    Allowance::Seconds counted_first(Allowance::Seconds passed, bool has_come);
     Bytes read_stream(std::uint32_t n);
     Bytes take_stream();
     void give_bytes(std::span<const std::byte> bytes, Allowance& allowance);
-    void await_room(std::uint32_t used, std::optional<Process::Progress>& before,
-                    Allowance& allowance);
+    void await_room(std::uint32_t used, Allowance& allowance);
     void collect_output();
 
     Limits limits_;
@@ -99,8 +98,10 @@ private:
     bool gives_ = false;         // whether the client gives answers to the current scene
     std::size_t streamed_ = 0;   // how much of the stream was read, not modulo 2^32 [bytes]
     std::size_t largest_ = 0, longest_stream_ = 0; // limits of the last question [bytes]
-    std::size_t printed_ = 0; // how much was printed since the last question [bytes]
-    Reply reply_{};           // a member, so that the next reply uses its memory again
+    std::size_t printed_ = 0;             // how much was printed since the last question [bytes]
+    Process::Progress seen_;              // at the last look
+    Allowance::Seconds first_waits_ = {}; // those that do not count yet
+    Reply reply_{};                       // a member, so that the next reply uses its memory again
     std::string output_;
 };
 
