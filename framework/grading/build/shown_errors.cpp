@@ -122,9 +122,36 @@ std::string shown_errors(const std::string& output)
     return barred;
 }
 
+namespace {
+
+// Whether a line is a message about a line of a file, "pipeline.cpp:5:10: error: expected".
+bool has_place(const std::string& line)
+{
+    constexpr std::array<std::string_view, 4> kinds = {
+        ": error: ", ": warning: ", ": note: ", ": Error: "};
+    return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view kind) {
+        const std::size_t at = line.find(kind);
+        return at != std::string::npos && at > 0 && line[at - 1] >= '0' && line[at - 1] <= '9';
+    });
+}
+
+// The messages of the tools about themselves. Others name a place in a file or show a line of it,
+// with words of the student.
+std::string about_themselves(const std::string& output)
+{
+    std::string kept;
+    for (const std::string& line : lines_of(output)) {
+        const bool is_shown_line = line.starts_with(' ');
+        if (!is_shown_line && !has_place(line)) kept += line + "\n";
+    }
+    return kept;
+}
+
+} // namespace
+
 ToolLimit limit_met(const ConfinedRun& run, double time)
 {
-    const std::string& output = run.output;
+    const std::string output = about_themselves(run.output);
     if (run.signal == SIGXFSZ) return ToolLimit::file_size;
     if (run.timed_out || run.signal == SIGXCPU) return ToolLimit::time;
     // The texts below are the system's names of signals, and messages of gcc, Clang and the
