@@ -252,6 +252,26 @@ Result ungraded(const Selection& selection, const GradingRun& run, SubmissionSta
     return result;
 }
 
+namespace {
+
+// A call of a function that is defined nowhere ends the program like a wrong index would, so the
+// report names such functions.
+void note_undefined(const Implementation& implementation, Result& result)
+{
+    constexpr std::size_t most_names = 20, longest_name = 300; // [bytes]
+    const std::vector<std::string>& names = implementation.undefined;
+    const std::size_t shown = std::min(names.size(), most_names);
+    for (std::size_t i = 0; i < shown; ++i)
+        result.notes.push_back(fmt::format("{} calls {}{}, which is defined nowhere",
+                                           implementation.name, names[i].substr(0, longest_name),
+                                           names[i].size() > longest_name ? " …" : ""));
+    if (names.size() > shown)
+        result.notes.push_back(fmt::format("{} calls {} more names that are defined nowhere",
+                                           implementation.name, names.size() - shown));
+}
+
+} // namespace
+
 Result grade(const Selection& selection, const Implementation& implementation,
              const GradingRun& run)
 {
@@ -268,6 +288,7 @@ Result grade(const Selection& selection, const Implementation& implementation,
     result.build_seconds = implementation.build_seconds;
     if (is_broken) return result;
     if (const std::string why = doubt(); !why.empty()) result.notes.push_back(why);
+    note_undefined(implementation, result);
     const std::vector<std::string> tags = runnable(selection, run.oracle.has_value());
     Verdicts verdicts;
     std::set<std::string> begun;

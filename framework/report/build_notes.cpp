@@ -8,22 +8,6 @@ namespace rigor {
 
 namespace {
 
-std::string undefined_names_of(const Implementation& implementation)
-{
-    constexpr std::size_t most_names = 20, longest_name = 300; // [bytes]
-    const std::vector<std::string>& names = implementation.undefined;
-    const std::size_t shown = std::min(names.size(), most_names);
-    std::string text;
-    for (std::size_t i = 0; i < shown; ++i)
-        text += fmt::format("{} calls {}{}, which is defined nowhere\n", implementation.name,
-                            names[i].substr(0, longest_name),
-                            names[i].size() > longest_name ? " …" : "");
-    if (names.size() > shown)
-        text += fmt::format("{} calls {} more names that are defined nowhere\n",
-                            implementation.name, names.size() - shown);
-    return text;
-}
-
 std::string left_out_of(const Implementation& implementation)
 {
     constexpr std::size_t most_names = 5;
@@ -49,7 +33,6 @@ std::string build_notes(const Implementation& implementation)
         text += fmt::format("{} has no {}.cpp: what student/ has takes their place\n",
                             implementation.name, fmt::join(implementation.borrowed, ".cpp, "));
     text += left_out_of(implementation);
-    text += undefined_names_of(implementation);
     if (!implementation.build_steps.empty())
         text += fmt::format("built in {:.1f} s ({} {})\n", implementation.build_seconds,
                             implementation.build_steps.size(),

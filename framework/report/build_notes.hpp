@@ -8,8 +8,7 @@
 namespace rigor {
 
 /// What a user must know of a build, in lines: files that do not compile, are missing or were left
-/// out, names that are defined nowhere, and how long it took. However many names a submission uses,
-/// and however long they are, it is about a page.
+/// out, and how long it took.
 std::string build_notes(const Implementation& implementation);
 
 } // namespace rigor

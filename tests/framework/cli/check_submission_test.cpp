@@ -347,8 +347,9 @@ TEST_CASE("submission: a name that is defined nowhere costs those who call it", 
                      whole);
     const Checked checked = check({"A2.14", "A2.7"}, folder.path());
     REQUIRE(not_passed(checked.result) == Statuses{"A2.14 crashed"});
-    REQUIRE(checked.said.find("calls rigor::lost(double), which is defined nowhere") !=
-            std::string::npos);
+    const std::string note = checked.result["notes"][0];
+    REQUIRE(note.ends_with(" calls rigor::lost(double), which is defined nowhere"));
+    REQUIRE(checked.said.find(note) != std::string::npos);
 }
 
 TEST_CASE("submission: a compiler without end costs a file and not the night", "[cli][submission]")

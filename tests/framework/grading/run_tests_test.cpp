@@ -9,6 +9,7 @@
 #include "support/temporary_folder.hpp"
 
 #include <cstdlib>
+#include <fmt/format.h>
 
 namespace rigor::testing {
 
@@ -51,7 +52,7 @@ std::string verdict_of(const std::string& tag, const std::string& status)
 // @param judged  the lines if the reference answers in place of the submission
 Result graded(const std::string& lines, const std::string& ending, bool oracle = false,
               const PartOfPoints& part = {}, const std::string& followed = "",
-              const std::string& judged = "")
+              const std::string& judged = "", const Implementation& implementation = {})
 {
     const TemporaryFolder folder;
     const std::string end = std::string(end_of_all) + "\n", all = lines.empty() ? "" : lines + end;
@@ -75,7 +76,7 @@ Result graded(const std::string& lines, const std::string& ending, bool oracle =
     run.test_program = script;
     run.silence = 1;
     if (oracle) run.oracle = "oracle";
-    return grade(selection, Implementation(), run);
+    return grade(selection, implementation, run);
 }
 
 } // namespace
@@ -204,6 +205,23 @@ TEST_CASE("scoring: what the test program says is the score", "[scoring]")
     REQUIRE(result.score() == 7);
     REQUIRE(result.max_score() == 10);
     REQUIRE_FALSE(result.all_points());
+}
+
+TEST_CASE("scoring: names that are defined nowhere are noted, and a flood of them is counted",
+          "[scoring]")
+{
+    Implementation eve;
+    eve.name = "eve";
+    eve.undefined = {"lost(double)"};
+    const auto noted = [&] { return graded("", "", false, {}, "", "", eve).notes; };
+    CHECK(noted().back() == "eve calls lost(double), which is defined nowhere");
+    for (int i = 0; i < 999; ++i)
+        eve.undefined.push_back(fmt::format("A1.1 formula_{} 1/1{}", i, std::string(10'000, 'x')));
+    std::size_t size = 0;
+    for (const std::string& note : noted())
+        size += note.size();
+    CHECK(size < 10'000);
+    CHECK(noted().back() == "eve calls 980 more names that are defined nowhere");
 }
 
 TEST_CASE("scoring: hidden tasks count only where the reference is", "[scoring]")
