@@ -43,7 +43,7 @@ double longest_test_now()
 }
 
 std::optional<OwnTimeLimit> limit_of_test;
-bool is_about_formula = false; // the running test case, not about scenes
+bool shows_calls = false; // whether a failure of the running test case shows the last call
 
 // The assignment of a task: "A2" of "A2.14".
 std::string_view assignment_of(std::string_view tag)
@@ -55,6 +55,13 @@ bool has_formula(std::string_view tag)
 {
     return std::any_of(std::begin(formulas), std::end(formulas),
                        [&](const Formula& f) { return f.tag == tag; });
+}
+
+// Whether the arguments of a task's formula can be read: those of a test that a student wrote are
+// all that the test has asked.
+bool has_readable_calls(std::string_view tag)
+{
+    return has_formula(tag) && assignment_of(tag) != "A8";
 }
 
 // The formulas that a task is not about. The task of a formula is about this formula alone; a task
@@ -143,7 +150,7 @@ void begin_test_case(const std::string& tag, bool goes_on, const StalledLine& st
     limit_of_test.reset();
     limit_of_test.emplace("the test", longest_test_now());
     if (verdicts >= 0) watch_own_time({verdicts, stalled.before, stalled.after}, longest_stall);
-    is_about_formula = has_formula(tag);
+    shows_calls = has_readable_calls(tag);
     if (follows_through) follow_through(tag);
 }
 
@@ -174,7 +181,7 @@ std::string last_call_text()
 {
     constexpr std::size_t longest = 2000; // [bytes]; a longer call would fill the report
     const FormulaCall* call = last_call();
-    if (!is_about_formula || !call || call->arguments.size() > longest) return "";
+    if (!shows_calls || !call || call->arguments.size() > longest) return "";
     return decoders[static_cast<unsigned>(call->formula)](call->arguments);
 }
 
