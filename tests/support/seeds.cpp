@@ -36,6 +36,15 @@ void set_first_seed(unsigned seed)
     first = seed;
 }
 
+std::uint64_t one_way(unsigned number)
+{
+    constexpr int rounds = 100; // 0.1 ms; hours for all first seeds
+    std::string digest = std::to_string(first) + ' ' + std::to_string(number);
+    for (int i = 0; i < rounds; ++i)
+        digest = sha256(digest);
+    return std::stoull(digest.substr(0, 16), nullptr, 16);
+}
+
 void draw_first_seed(const std::string& test)
 {
     if (!key_of_seeds.empty()) first = drawn_seed(key_of_seeds, test);

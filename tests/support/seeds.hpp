@@ -7,6 +7,7 @@
 
 #include "support/catch.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -54,6 +55,11 @@ Seeds seeds(unsigned n);
 /// draws.
 unsigned first_seed();
 void set_first_seed(unsigned seed);
+
+/// A number that follows from the first seed and from `number`, for draws that a submission sees.
+/// To try all first seeds takes longer than a submission may run, so it cannot compute the first
+/// seed from what it sees, nor another such number.
+std::uint64_t one_way(unsigned number);
 
 /// Draws the first seed of the test that begins, if the run has a key of secret seeds.
 void draw_first_seed(const std::string& test);

@@ -15,11 +15,11 @@ namespace {
 using Numbers = std::vector<double>;
 
 // A generator for these arguments. It is the same for the same digits, whatever the powers of two,
-// and another one in a run with another first seed.
-Random drawn_for(const Numbers& arguments, unsigned seed)
+// and another one with another number `secret`, which is drawn by `one_way`.
+Random drawn_for(const Numbers& arguments, std::uint64_t secret)
 {
     constexpr std::uint64_t prime = 1099511628211u;
-    std::uint64_t hash = first_seed() * prime + seed;
+    std::uint64_t hash = secret;
     int exponent = 0;
     for (const double number : arguments)
         hash = hash * prime + std::bit_cast<std::uint64_t>(std::frexp(number, &exponent));
@@ -35,8 +35,8 @@ NumericFormula rounded(const NumericFormula& formula, const Terms& largest_terms
     // Two such formulas differ, and a vector of three such components is wrong, by less than the
     // 1e-12 that a test has to allow.
     constexpr double rounding = 0.25e-12;
-    return [=](const Numbers& from) {
-        Random random = drawn_for(from, 1);
+    return [=, secret = one_way(1)](const Numbers& from) {
+        Random random = drawn_for(from, secret);
         Numbers result = formula(from);
         const Numbers terms = largest_terms(from);
         for (std::size_t i = 0; i < result.size(); ++i)
@@ -62,8 +62,8 @@ NumericFormula mean(const NumericFormula& a, const NumericFormula& b, double wei
 NumericFormula with_drawn_digits(const NumericFormula& formula, unsigned seed)
 {
     constexpr double change = 2e-14;
-    return [=](const Numbers& from) {
-        Random random = drawn_for(from, seed);
+    return [=, secret = one_way(seed)](const Numbers& from) {
+        Random random = drawn_for(from, secret);
         Numbers result = formula(from);
         for (double& number : result)
             number *= 1 + change * random.uniform(-1, 1);
@@ -73,8 +73,8 @@ NumericFormula with_drawn_digits(const NumericFormula& formula, unsigned seed)
 
 NumericFormula with_drawn_factors(const NumericFormula& formula, unsigned seed)
 {
-    return [=](const Numbers& from) {
-        Random random = drawn_for({}, seed);
+    return [=, secret = one_way(seed)](const Numbers& from) {
+        Random random = drawn_for({}, secret);
         Numbers result = formula(from);
         for (double& number : result)
             number *= random.uniform(1, 2);
@@ -84,7 +84,7 @@ NumericFormula with_drawn_factors(const NumericFormula& formula, unsigned seed)
 
 NumericFormula in_drawn_directions(const NumericFormula& tangent, unsigned seed)
 {
-    Random random = drawn_for({}, seed);
+    Random random = drawn_for({}, one_way(seed));
     const double angle = random.uniform(0, 2 * M_PI);
     const Vector3d slope = random.vector();
     return [=](const Numbers& from) {
@@ -140,7 +140,7 @@ std::vector<NumericFormula> right_steps()
 {
     std::vector<NumericFormula> all = numeric(oscillator_steps().right);
     const std::size_t methods = all.size();
-    Random random = drawn_for({}, 2);
+    Random random = drawn_for({}, one_way(2));
     for (std::size_t i = 0; i + 1 < methods; i += 2)
         all.push_back(mean(all[i], all[i + 1], random.uniform(0.2, 0.8)));
     all.push_back(rounded(all[0], [](const Numbers& a) {

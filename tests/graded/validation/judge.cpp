@@ -148,7 +148,7 @@ void check_test(std::vector<Candidate> candidates, Texts texts)
 
 StudentsTest students_test_of_units(const FormulaWithUnits& formula)
 {
-    Random random(first_seed() + 17);
+    Random random(static_cast<unsigned>(one_way(17)));
     std::vector<double> example = formula.example;
     const double factor = random.uniform(1, 2); // so that no example can be known beforehand
     for (double& number : example)
