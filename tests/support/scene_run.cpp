@@ -10,6 +10,7 @@
 #include "scene/trajectory/reader.hpp"
 #include "support/in_words.hpp"
 #include "support/random.hpp"
+#include "support/seeds.hpp"
 #include "worker/client.hpp"
 #include "worker/proxy/proxy.hpp"
 #include "worker/proxy/scenes.hpp"
@@ -32,14 +33,17 @@ Eigen::Quaterniond to_eigen(const Quaternion& q)
     return {q.s, q.v.x(), q.v.y(), q.v.z()};
 }
 
+Scene shipped_scene(const std::string& name)
+{
+    const std::size_t slash = name.find('/');
+    return load_scene(std::filesystem::path(RIGOR_SOURCE_DIR) / "assignments" /
+                      name.substr(0, slash) / "scenes" / (name.substr(slash + 1) + ".json"));
+}
+
 Scene shipped_scene(const std::string& name, std::optional<double> time_step,
                     const std::string& changes)
 {
-    const std::size_t slash = name.find('/');
-    const std::filesystem::path file = std::filesystem::path(RIGOR_SOURCE_DIR) / "assignments" /
-                                       name.substr(0, slash) / "scenes" /
-                                       (name.substr(slash + 1) + ".json");
-    const Scene scene = load_scene(file);
+    const Scene scene = shipped_scene(name);
     if (!time_step && changes == "{}") return scene;
     nlohmann::json text = nlohmann::json::parse(scene.text);
     if (time_step) text["time_step"] = *time_step;
@@ -174,6 +178,24 @@ Trajectory run_by_oracle(const Scene& scene)
 }
 
 } // namespace
+
+std::string other_boxes(const std::string& scene_name)
+{
+    Random random(first_seed() + 31);
+    nlohmann::json bodies = nlohmann::json::parse(shipped_scene(scene_name).text)["bodies"];
+    const auto change = [&](nlohmann::json& box) {
+        for (nlohmann::json& edge : box["shape"]["box"]["size"])
+            edge = edge.get<double>() * random.uniform(0.9, 1.1);
+        box["density"] = box["density"].get<double>() * random.uniform(0.5, 2);
+    };
+    for (nlohmann::json& body : bodies) {
+        if (body.contains("shape")) change(body);
+        if (body.contains("parts"))
+            for (nlohmann::json& part : body["parts"])
+                change(part);
+    }
+    return nlohmann::json{{"bodies", bodies}}.dump();
+}
 
 Trajectory run_scene(const std::string& name, std::optional<double> time_step,
                      const std::string& changes)

@@ -18,6 +18,10 @@ namespace rigor::testing {
 Trajectory run_scene(const std::string& name, std::optional<double> time_step = {},
                      const std::string& changes = "{}");
 
+/// Changes that give the boxes of a shipped scene sizes and densities that are drawn from the first
+/// seed, near to those in the file. So the mass properties of its bodies are no constants.
+std::string other_boxes(const std::string& scene_name);
+
 /// Changes that make a step depend on the bodies' states alone, and that keep rounding from
 /// changing the number of sweeps.
 inline constexpr const char* without_memory =

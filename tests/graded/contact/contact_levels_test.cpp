@@ -57,14 +57,31 @@ Pile renumbered(const Pile& pile, Random& random)
     return result;
 }
 
-// Checks the levels, also after the bodies are renumbered at random, so that a solution cannot look
-// the answers up in a table.
+// The pile with a few more bodies, each of which rests on some of those before it.
+Pile with_more_bodies(Pile pile, Random& random)
+{
+    for (int more = 1 + random_index(random, 4); more > 0; --more) {
+        std::vector<int> below(1 + random_index(random, 3));
+        int level = 1;
+        for (int& body : below) {
+            body = random_index(random, pile.levels.size());
+            level = std::max(level, pile.levels[body] + 1);
+        }
+        pile.rests_on.push_back(below);
+        pile.is_static.push_back(false);
+        pile.levels.push_back(level);
+    }
+    return pile;
+}
+
+// Checks the levels, also with more bodies and after all are renumbered at random, so that a
+// solution cannot look the answers up in a table.
 void check_levels(const Edges& rests_on, const Levels& expected)
 {
     const Pile pile{rests_on, on_the_ground(rests_on.size()), expected};
     REQUIRE_THAT(contact_levels(pile.rests_on, pile.is_static), IsExactly(expected));
     for (Random random : seeds(5)) {
-        const Pile other = renumbered(pile, random);
+        const Pile other = renumbered(with_more_bodies(pile, random), random);
         REQUIRE_THAT(contact_levels(other.rests_on, other.is_static), IsExactly(other.levels));
     }
 }
