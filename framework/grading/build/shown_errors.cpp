@@ -124,26 +124,21 @@ std::string shown_errors(const std::string& output)
 
 namespace {
 
-// Whether a line is a message about a line of a file, "pipeline.cpp:5:10: error: expected".
-bool has_place(const std::string& line)
+// Whether a line is a message of a tool about itself, "cc1plus: out of memory". Other lines name a
+// place in a file or show a line of it, with words of the student.
+bool is_about_itself(const std::string& line)
 {
-    constexpr std::array<std::string_view, 4> kinds = {
-        ": error: ", ": warning: ", ": note: ", ": Error: "};
-    return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view kind) {
-        const std::size_t at = line.find(kind);
-        return at != std::string::npos && at > 0 && line[at - 1] >= '0' && line[at - 1] <= '9';
-    });
+    for (const char* begin : {"LLVM ERROR: ", "virtual memory exhausted", "terminate called "})
+        if (line.starts_with(begin)) return true;
+    const std::size_t end_of_name = line.find_first_of(": ");
+    return end_of_name != std::string::npos && line.compare(end_of_name, 2, ": ") == 0;
 }
 
-// The messages of the tools about themselves. Others name a place in a file or show a line of it,
-// with words of the student.
 std::string about_themselves(const std::string& output)
 {
     std::string kept;
-    for (const std::string& line : lines_of(output)) {
-        const bool is_shown_line = line.starts_with(' ');
-        if (!is_shown_line && !has_place(line)) kept += line + "\n";
-    }
+    for (const std::string& line : lines_of(output))
+        if (is_about_itself(line)) kept += line + "\n";
     return kept;
 }
 

@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 
 #include <csignal>
+#include <fmt/format.h>
 #include <string>
 
 namespace rigor::testing::shown_errors_test {
@@ -84,6 +85,12 @@ TEST_CASE("shown errors: each limit of a tool is known by its words", "[build]")
                               "terminate called after throwing an instance of 'std::bad_alloc'\n"})
         CHECK(met(0, words) == memory);
     CHECK(met(0, "a.cpp:1:2: error: no\n") == none);
+    // What a line of the student says is not the tool's word, with or without a number before it.
+    for (const char* words : {"CPU time limit exceeded", ": out of memory", "std::bad_alloc"})
+        for (const char* shown :
+             {"a.cpp:1:2: error: #error {}\n    1 | #error {}\n      |  ^~~~~\n",
+              "a.cpp:1:2: error: {}\n#error {}\n ^\n"})
+            CHECK(met(0, fmt::format(fmt::runtime(shown), words, words)) == none);
     CHECK(met(SIGXFSZ, "Stack dump:\n") == file_size);
     CHECK(met(SIGXCPU, "") == time);
     CHECK(met(SIGSEGV, "") == none);
