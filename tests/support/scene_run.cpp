@@ -181,7 +181,7 @@ Trajectory run_by_oracle(const Scene& scene)
 
 std::string other_boxes(const std::string& scene_name)
 {
-    Random random(first_seed() + 31);
+    Random random(*seeds(1).begin()); // a failure names the seed
     nlohmann::json bodies = nlohmann::json::parse(shipped_scene(scene_name).text)["bodies"];
     const auto change = [&](nlohmann::json& box) {
         for (nlohmann::json& edge : box["shape"]["box"]["size"])
